@@ -1,0 +1,12 @@
+# taylor_warnings(TARGET): the project's warnings and, where asked, sanitizers.
+function(taylor_warnings target)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow
+    $<$<COMPILE_LANGUAGE:C>:-Wconversion -Wdouble-promotion -Wstrict-prototypes -Wvla>)
+  if(TAYLOR_WERROR)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
+  if(TAYLOR_SANITIZE)
+    target_compile_options(${target} PRIVATE -fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    target_link_options(${target} PRIVATE -fsanitize=address,undefined)
+  endif()
+endfunction()

@@ -1,0 +1,28 @@
+/* The number type of the algebra and its mathematics: the one place to change both. */
+#ifndef TAYLOR_REAL_H
+#define TAYLOR_REAL_H
+
+#include <float.h>
+#include <math.h>
+
+/* Compile with -DTL_REAL_FLOAT for single precision. No other file of the project names a C floating type. */
+#ifdef TL_REAL_FLOAT
+typedef float tl_real;
+#define TL_C(x) x##f
+#define TL_EPSILON FLT_EPSILON
+#define TL_MAX FLT_MAX
+#define TL_MIN FLT_MIN
+#define TL_LIBM(f) f##f
+#else
+typedef double tl_real;
+#define TL_C(x) x
+#define TL_EPSILON DBL_EPSILON
+#define TL_MAX DBL_MAX
+#define TL_MIN DBL_MIN
+#define TL_LIBM(f) f
+#endif
+
+/* TL_LIBM(sin)(x) calls the C library's function for tl_real. A finite value is one whose difference with itself is zero. */
+#define TL_ISFINITE(x) ((x) - (x) == TL_C(0.0))
+
+#endif

@@ -1,0 +1,7 @@
+/* libtaylor: truncated Taylor algebra on flat arrays. This header includes all of it. */
+#ifndef TAYLOR_TAYLOR_H
+#define TAYLOR_TAYLOR_H
+
+#include "taylor/elementary.h"
+
+#endif
