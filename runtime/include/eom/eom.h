@@ -1,0 +1,12 @@
+/* runtime: constrained motion, linearisation and Lyapunov exponents from jet functions. This header includes all of it. */
+#ifndef EOM_EOM_H
+#define EOM_EOM_H
+
+#include "eom/assemble.h"
+#include "eom/integrate.h"
+#include "eom/linearise.h"
+#include "eom/lyapunov.h"
+#include "eom/solve.h"
+#include "eom/system.h"
+
+#endif

@@ -1,0 +1,71 @@
+/* Status and report: what went wrong, with the names of the user's own functions. The library prints nothing. */
+#ifndef EOM_STATUS_H
+#define EOM_STATUS_H
+
+#include "taylor/context.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* Every status with the sentence that eom_status_text returns for it. */
+#define EOM_STATUSES(X)                                                                                                                \
+  X(OK, "no failure")                                                                                                                  \
+  X(BAD_MODEL, "the model is incomplete or has impossible sizes")                                                                      \
+  X(BAD_OPTION, "an option is outside its range")                                                                                      \
+  X(NO_MEMORY, "the memory is too small or could not be allocated")                                                                    \
+  X(DOMAIN, "a model function does not exist, or has no derivative, at this state")                                                    \
+  X(NOT_FINITE, "a number is not finite")                                                                                              \
+  X(NO_INERTIA, "the mass matrix is not positive definite on the motions that the constraints allow")                                  \
+  X(INCONSISTENT, "constraints contradict each other")                                                                                 \
+  X(NOT_INVERSE, "the two coordinate transformations are not inverse to each other")                                                   \
+  X(RHS_FAILED, "the right-hand side reported a failure of its own")                                                                   \
+  X(STOPPED, "the observer asked to stop")
+
+typedef enum eom_status {
+#define EOM_X(name, text) EOM_##name,
+  EOM_STATUSES(EOM_X)
+#undef EOM_X
+} eom_status;
+
+/* The sentence of a status; a static string. */
+const char *eom_status_text(eom_status status);
+
+/* A constraint row that the solver had something to say about. */
+typedef enum eom_row_kind { EOM_ROW_INDEPENDENT, EOM_ROW_DEPENDENT, EOM_ROW_INCONSISTENT } eom_row_kind;
+
+typedef struct eom_row {
+  const char *name;   /* of the constraint function in the user's source */
+  const char *source; /* "file.c:12" */
+  int row;            /* of that function's results, from 0 */
+  eom_row_kind kind;
+} eom_row;
+
+#define EOM_REPORT_ROWS 8
+
+/* The outcome of the last evaluation. Holds static strings and the model's names only: copy it freely while the model lives. */
+typedef struct eom_report {
+  eom_status status;
+  const char *function; /* the model function or argument that failed, null where none did */
+  const char *source;   /* its "file.c:12", null where unknown */
+  tl_status jet;        /* the failing elementary function and the source line, where a model function failed */
+  int index;            /* coordinate without inertia, or place in a not finite array; -1 elsewhere */
+  /* filled by every solve, also where it succeeds */
+  int rank;          /* independent constraint rows */
+  int weighted;      /* 1 where calM = M + A'WA took the place of M */
+  tl_real pivot;     /* smallest pivot of the Cholesky factorisation of calM scaled to a unit diagonal, 0..1 */
+  tl_real condition; /* estimate of the condition of the constraint rows in the mass metric, each scaled to unit length; 1 for none */
+  tl_real residual;  /* largest |A qdd - b|, each row scaled to unit length in the mass metric */
+  int nrow;          /* rows that are dependent or inconsistent; the first EOM_REPORT_ROWS of them are in row[] */
+  eom_row row[EOM_REPORT_ROWS];
+} eom_report;
+
+/* Writes the report as text of one or more lines, each ended by '\n', at most size bytes with the closing 0. Returns the length that
+ * the whole text has (as snprintf does). */
+int eom_report_text(const eom_report *report, char *text, size_t size);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

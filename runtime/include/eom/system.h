@@ -1,0 +1,98 @@
+/* A mechanical system: a model with its parameters, options, and all numbers of an evaluation grouped by the stage that computes them.
+ *
+ * Everywhere: n coordinates, m1 holonomic and m2 nonholonomic constraint rows, m = m1 + m2 (holonomic rows first, functions in the
+ * model's order); matrices row-major without padding. One system serves one thread. Nothing but eom_system_create allocates. */
+#ifndef EOM_SYSTEM_H
+#define EOM_SYSTEM_H
+
+#include "eom/model.h"
+#include "eom/status.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What a system will be asked for; memory is reserved for nothing else. */
+enum {
+  EOM_NEED_SIMULATE = 0,  /* assemble, solve, energy, integrate */
+  EOM_NEED_LINEARISE = 1, /* linearise, Lyapunov exponents */
+};
+
+/* Who does the dense linear algebra. */
+typedef enum eom_linalg_choice {
+  EOM_LINALG_AUTO,  /* by size */
+  EOM_LINALG_CORE,  /* the library's own C11 code */
+  EOM_LINALG_LAPACK /* LAPACKE; BAD_OPTION in a build without it */
+} eom_linalg_choice;
+
+typedef struct eom_options {
+  unsigned needs;         /* EOM_NEED_ bits; default EOM_NEED_LINEARISE */
+  const tl_real *weights; /* W of eq 31: m positive numbers, copied by init; null (default): used only where M needs it, scaled to M.
+                             Accelerations and constraint forces do not depend on it. Weights that spoil calM are replaced by the
+                             automatic ones. */
+  tl_real rank_tolerance; /* a row is dependent where what it adds to the others is at most this part of its length, in the mass
+                             metric; default 1e-10: between rounding (1e-15) and the condition of 1e7 that must still be resolved */
+  tl_real consistency_tolerance; /* dependent rows are inconsistent where they ask for accelerations that differ by more than this
+                                    part of the largest acceleration; default sqrt(epsilon) */
+  eom_linalg_choice linalg;      /* default EOM_LINALG_AUTO */
+} eom_options;
+
+/* All defaults. */
+eom_options eom_options_default(void);
+
+typedef struct eom_workspace eom_workspace; /* private */
+
+typedef struct eom_system {
+  const eom_model *model;
+  const void *params;  /* the model's parameters: read at every evaluation, may change between them as long as the sizes stay */
+  eom_options options; /* weights point into the system's own memory */
+  int n, m1, m2, m;
+
+  /* energy, assemble */
+  tl_real *momentum;  /* n: p = dL/dqd */
+  tl_real lagrangian; /* L, J */
+  tl_real energy;     /* E = p.qd - L, J */
+
+  /* assemble: M qdd = Q + A' lambda, A qdd = b (eqs 26, 30) */
+  tl_real *M;       /* n x n, symmetric to the bit */
+  tl_real *Q;       /* n: Gamma + dL/dq - d/dt(dL/dqd) at qdd = 0 */
+  tl_real *A;       /* m x n: dphi/dq above dpsi/dqd */
+  tl_real *b;       /* m */
+  tl_real *phi;     /* m1: phi(q,t), zero on the manifold */
+  tl_real *phi_dot; /* m1: d phi/dt, zero on the manifold */
+  tl_real *psi;     /* m2: psi(q,qd,t), zero on the manifold */
+
+  /* solve */
+  tl_real *qdd;    /* n */
+  tl_real *lambda; /* m: the physical multipliers; of least norm among equals where rows are dependent (rows scaled to unit length) */
+  tl_real *Qc;     /* n: constraint force A' lambda */
+  eom_row_kind *row_kind; /* m */
+
+  /* linearise (null without EOM_NEED_LINEARISE) */
+  tl_real *qdd_y;    /* n x 2n: d qdd/d(q,qd), the lower rows of F; the upper ones are [0 I] */
+  tl_real *lambda_y; /* m x 2n: d lambda/d(q,qd) */
+
+  eom_report report;
+  eom_workspace *workspace;
+} eom_system;
+
+/* Bytes of memory that eom_system_init needs; 0 where the model or an option is invalid. */
+size_t eom_system_bytes(const eom_model *model, const void *params, const eom_options *options);
+
+/* Starts a system in memory (at least that many bytes, aligned for any type, which must live as long as the system). params may be null
+ * where the model has none; options null for the defaults. BAD_MODEL, BAD_OPTION, NO_MEMORY. */
+eom_status eom_system_init(eom_system *sys, const eom_model *model, const void *params, const eom_options *options, void *memory,
+                           size_t bytes);
+
+/* The same with memory from malloc. *sys is null unless EOM_OK. Destroy takes null. */
+eom_status eom_system_create(eom_system **sys, const eom_model *model, const void *params, const eom_options *options);
+void eom_system_destroy(eom_system *sys);
+
+/* Name and source of constraint row i, 0 <= i < m; kind is that of the last solve. */
+eom_row eom_system_row(const eom_system *sys, int i);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
