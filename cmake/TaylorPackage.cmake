@@ -20,12 +20,14 @@ install(FILES ${PROJECT_BINARY_DIR}/libtaylorConfig.cmake ${PROJECT_BINARY_DIR}/
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 set(CPACK_GENERATOR TGZ DEB)
-set(CPACK_PACKAGE_VENDOR "libtaylor")
-set(CPACK_PACKAGE_CONTACT "libtaylor")
+set(CPACK_PACKAGE_CONTACT "the libtaylor authors")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Exact dynamics from plain C: Taylor algebra, code generator and motion library")
 set(CPACK_RESOURCE_FILE_LICENSE ${PROJECT_SOURCE_DIR}/LICENSE)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+if(TAYLOR_HOST)
+  set(CPACK_DEBIAN_PACKAGE_DEPENDS "liblapacke-dev, libopenblas-dev, pkg-config") # what a program with taylor::eom links
+endif()
 include(CPack)

@@ -2,7 +2,7 @@
 
 build_packages=(cmake ninja-build gcc g++ pkg-config clang-19 llvm-19-dev libclang-19-dev liblapacke-dev libopenblas-dev
   libcmocka-dev libmpfr-dev gnuplot-nox)
-check_packages=(clang-format-19 git python3 valgrind)
+check_packages=(clang-format-19 dpkg-dev git python3 valgrind)
 
 # missing_packages NAME..: those that are not installed, one a line.
 missing_packages() {
@@ -32,5 +32,6 @@ need_packages() {
   fi
   echo "Installing ${missing[*]}"
   "${as_root[@]}" apt-get update -qq
-  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" </dev/null
+  "${as_root[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq -o Dpkg::Use-Pty=0 \
+    --no-install-recommends "${missing[@]}" </dev/null >/dev/null
 }
