@@ -11,7 +11,7 @@ extern "C" {
 
 /* Every operation that can fail, by the name it has in a report. */
 #define TL_FUNCTIONS(X)                                                                                                              \
-  X(add) X(sub) X(scale) X(mul) X(div) X(compose) X(sqrt) X(cbrt) X(exp) X(expm1) X(exp2) X(log) X(log1p) X(log2) X(log10) X(sin)    \
+  X(seed) X(copy) X(add) X(sub) X(scale) X(mul) X(div) X(compose) X(sqrt) X(cbrt) X(exp) X(expm1) X(exp2) X(log) X(log1p) X(log2) X(log10) X(sin)    \
   X(cos) X(tan) X(asin) X(acos) X(atan) X(atan2) X(sinh) X(cosh) X(tanh) X(asinh) X(acosh) X(atanh) X(pow) X(hypot) X(fabs) X(fmin)  \
   X(fmax) X(fma) X(copysign) X(erf) X(frame)
 

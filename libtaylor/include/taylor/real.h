@@ -12,14 +12,16 @@ typedef float tl_real;
 #define TL_EPSILON FLT_EPSILON
 #define TL_MAX FLT_MAX
 #define TL_MIN FLT_MIN
-#define TL_LIBM(f) f##f
+#define TL_MIN_EXP FLT_MIN_EXP
+#define TL_LIBM(name) name##f
 #else
 typedef double tl_real;
 #define TL_C(x) x
 #define TL_EPSILON DBL_EPSILON
 #define TL_MAX DBL_MAX
 #define TL_MIN DBL_MIN
-#define TL_LIBM(f) f
+#define TL_MIN_EXP DBL_MIN_EXP
+#define TL_LIBM(name) name
 #endif
 
 /* TL_LIBM(sin)(x) calls the C library's function for tl_real. A finite value is one whose difference with itself is zero. */

@@ -1,0 +1,131 @@
+/* Exponentials, logarithms, powers with a variable exponent, and the integral of exp(-a^2). */
+#include "block.h"
+#include "taylor/elementary.h"
+
+static const tl_real LN2 = TL_C(0.693147180559945309417232121458);
+static const tl_real INV_LN2 = TL_C(1.442695040888963407359924681002);
+static const tl_real INV_LN10 = TL_C(0.434294481903251827651128918917);
+static const tl_real TWO_OVER_SQRT_PI = TL_C(1.128379167095512573896158903122);
+
+/* E c = rate c E a, from c_0 = power; then the value takes power's place (expm1 differs from exp by its value alone). */
+static void exponential(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real value, tl_real power, tl_real rate, tl_fn function) {
+  if (!tl_accept(cx, c, a[0], function)) return;
+  const tl_real *x = tl_unaliased(cx, a, c, 0);
+  c[0] = power;
+  tl_exp_blocks(cx->shape, c, rate, x);
+  c[0] = value;
+  tl_check(cx, c, function);
+}
+
+void tl_exp(tl_ctx *cx, tl_real *c, const tl_real *a) {
+  const tl_real e = TL_LIBM(exp)(a[0]);
+  exponential(cx, c, a, e, e, TL_C(1.0), TL_FN_exp);
+}
+
+void tl_expm1(tl_ctx *cx, tl_real *c, const tl_real *a) {
+  exponential(cx, c, a, TL_LIBM(expm1)(a[0]), TL_LIBM(exp)(a[0]), TL_C(1.0), TL_FN_expm1);
+}
+
+void tl_exp2(tl_ctx *cx, tl_real *c, const tl_real *a) {
+  const tl_real e = TL_LIBM(exp2)(a[0]);
+  exponential(cx, c, a, e, e, LN2, TL_FN_exp2);
+}
+
+/* x^b = exp(b log x). 0^b is 0 around every b > 0; at b = 0 and for x < 0 it exists for single numbers only. */
+void tl_rpow(tl_ctx *cx, tl_real *c, tl_real x, const tl_real *b) {
+  const tl_real value = TL_LIBM(pow)(x, b[0]);
+  if (!tl_accept(cx, c, x, TL_FN_pow) || !tl_accept(cx, c, b[0], TL_FN_pow)) return;
+  if (x > TL_C(0.0))
+    exponential(cx, c, b, value, value, TL_LIBM(log)(x), TL_FN_pow);
+  else if (!TL_ISFINITE(value))
+    tl_reject(cx, c, TL_DOMAIN, TL_FN_pow);
+  else if (cx->shape->degree == 0 || (x == TL_C(0.0) && b[0] > TL_C(0.0)))
+    tl_const(cx, c, value);
+  else
+    tl_reject(cx, c, TL_SINGULAR, TL_FN_pow);
+}
+
+/* a E c = rate E a:  |B| a_0 c_B = rate |B| a_B - sum_{B1,B2>0} |B1| c_B1 a_B2. Only ratios of a's coefficients enter, which is why a
+ * may carry any constant factor. c may not be a. */
+static void log_blocks(const tl_shape *s, tl_real *c, tl_real rate, const tl_real *a) {
+  for (tl_block b = tl_first_block(s); b.n; b = tl_next_block(s, b)) {
+    const tl_real w = (tl_real)b.weight;
+    tl_row_zero(b.n, c + b.at);
+    tl_add_interior(s, b, c + b.at, (tl_factor){.u = -TL_C(1.0)}, c, a);
+    tl_row_add(b.n, c + b.at, rate * w, a + b.at);
+    tl_row_divide(b.n, c + b.at, w * a[0]);
+  }
+}
+
+/* argument: the number whose logarithm it is, a_0 or 1 + a_0. */
+static void logarithm(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real argument, tl_real value, tl_real rate, tl_fn function) {
+  if (!tl_accept(cx, c, a[0], function)) return;
+  if (argument <= TL_C(0.0)) {
+    tl_reject(cx, c, TL_DOMAIN, function);
+    return;
+  }
+  tl_real *x = tl_scratch(cx, 0);
+  const tl_real scale = tl_normaliser(argument);
+  for (int i = 1; i < cx->shape->ncoef; i++) x[i] = scale * a[i];
+  x[0] = scale * argument;
+  c[0] = value;
+  log_blocks(cx->shape, c, rate, x);
+  tl_check(cx, c, function);
+}
+
+void tl_log(tl_ctx *cx, tl_real *c, const tl_real *a) { logarithm(cx, c, a, a[0], TL_LIBM(log)(a[0]), TL_C(1.0), TL_FN_log); }
+
+void tl_log1p(tl_ctx *cx, tl_real *c, const tl_real *a) {
+  logarithm(cx, c, a, TL_C(1.0) + a[0], TL_LIBM(log1p)(a[0]), TL_C(1.0), TL_FN_log1p);
+}
+
+void tl_log2(tl_ctx *cx, tl_real *c, const tl_real *a) { logarithm(cx, c, a, a[0], TL_LIBM(log2)(a[0]), INV_LN2, TL_FN_log2); }
+
+void tl_log10(tl_ctx *cx, tl_real *c, const tl_real *a) { logarithm(cx, c, a, a[0], TL_LIBM(log10)(a[0]), INV_LN10, TL_FN_log10); }
+
+static int is_constant(const tl_shape *s, const tl_real *a) {
+  for (int i = 1; i < s->ncoef; i++)
+    if (a[i] != TL_C(0.0)) return 0;
+  return 1;
+}
+
+/* a^b = exp(b log a), E c = c E(b log a). At a_0 <= 0 only a constant exponent, or one that is larger than the degree at 0. */
+void tl_pow(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
+  const tl_real value = TL_LIBM(pow)(a[0], b[0]);
+  if (!tl_accept(cx, c, a[0], TL_FN_pow) || !tl_accept(cx, c, b[0], TL_FN_pow)) return;
+  if (is_constant(cx->shape, b)) {
+    tl_powc(cx, c, a, b[0]);
+  } else if (a[0] > TL_C(0.0)) {
+    tl_real *m = tl_scratch(cx, 1);
+    logarithm(cx, m, a, a[0], TL_LIBM(log)(a[0]), TL_C(1.0), TL_FN_pow);
+    tl_product_blocks(cx->shape, m, m, b);
+    c[0] = value;
+    tl_exp_blocks(cx->shape, c, TL_C(1.0), m);
+    tl_check(cx, c, TL_FN_pow);
+  } else if (a[0] == TL_C(0.0) && b[0] > (tl_real)cx->shape->degree) {
+    tl_row_zero(cx->shape->ncoef, c);
+  } else {
+    tl_reject(cx, c, TL_ISFINITE(value) ? TL_SINGULAR : TL_DOMAIN, TL_FN_pow);
+  }
+}
+
+/* exp(-x^2) = exp(-h^2) exp(-(x-h)(x+h)) with h = x rounded to a multiple of 1/16: h^2 is exact and the second exponent small, so that
+ * the tail keeps its digits although exp magnifies the rounding of x^2. */
+static tl_real gauss(tl_real x) {
+  const tl_real h = TL_LIBM(trunc)(x * TL_C(16.0)) / TL_C(16.0);
+  return TL_LIBM(exp)(-h * h) * TL_LIBM(exp)(-(x - h) * (x + h));
+}
+
+/* E erf(a) = 2/sqrt(pi) g E a with g = exp(-a^2), E g = g E(-a^2). */
+void tl_erf(tl_ctx *cx, tl_real *c, const tl_real *a) {
+  if (!tl_accept(cx, c, a[0], TL_FN_erf)) return;
+  const tl_real *x = tl_unaliased(cx, a, c, 0);
+  tl_real *q = tl_scratch(cx, 1), *g = tl_scratch(cx, 2);
+  q[0] = TL_C(0.0); /* only its derivatives are used */
+  tl_square_blocks(cx->shape, q, -TL_C(1.0), x);
+  g[0] = gauss(x[0]);
+  tl_exp_blocks(cx->shape, g, TL_C(1.0), q);
+  c[0] = TL_LIBM(erf)(x[0]);
+  tl_integral_blocks(cx->shape, c, TWO_OVER_SQRT_PI, g, x);
+  tl_check(cx, c, TL_FN_erf);
+}

@@ -1,0 +1,114 @@
+/* Inverse trigonometric and hyperbolic functions. */
+#include "block.h"
+#include "taylor/elementary.h"
+
+/* E c = rate d^exponent E a, where d = sign a^2 + constant is given by its value d_0. Powers of a power are free of cancellation near
+ * the ends of a domain as long as d_0 is. a is scaled by the caller; x is that scaled jet in scratch jet 0. */
+static void integrate_power(tl_ctx *cx, tl_real *c, tl_real value, tl_real rate, tl_real sign, tl_real d0, tl_real g0, tl_real exponent,
+                            tl_fn function) {
+  const tl_real *x = tl_scratch(cx, 0);
+  tl_real *d = tl_scratch(cx, 1), *g = tl_scratch(cx, 2);
+  d[0] = d0;
+  tl_square_blocks(cx->shape, d, sign, x);
+  g[0] = g0;
+  tl_power_blocks(cx->shape, g, exponent, TL_C(1.0), d);
+  c[0] = value;
+  tl_integral_blocks(cx->shape, c, rate, g, x);
+  tl_check(cx, c, function);
+}
+
+/* Scratch jet 0 = scale * a. */
+static void load(tl_ctx *cx, const tl_real *a, tl_real scale) {
+  tl_real *x = tl_scratch(cx, 0);
+  for (int i = 0; i < cx->shape->ncoef; i++) x[i] = scale * a[i];
+}
+
+/* The factor that brings |x| > 1 to about 1, so that its square cannot overflow; smaller x stay as they are. */
+static tl_real shrink(tl_real x) { return TL_LIBM(fabs)(x) > TL_C(1.0) ? tl_normaliser(x) : TL_C(1.0); }
+
+/* E asin(a) = E a / sqrt(1 - a^2), 1 - a^2 = (1-a)(1+a); acos with the other sign. */
+static void arc(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real value, tl_real rate, tl_fn function) {
+  const tl_real d0 = (TL_C(1.0) - a[0]) * (TL_C(1.0) + a[0]);
+  if (!tl_accept(cx, c, a[0], function)) return;
+  if (d0 < TL_C(0.0) || (d0 == TL_C(0.0) && cx->shape->degree > 0)) {
+    tl_reject(cx, c, d0 < TL_C(0.0) ? TL_DOMAIN : TL_SINGULAR, function);
+    return;
+  }
+  load(cx, a, TL_C(1.0));
+  integrate_power(cx, c, value, rate, -TL_C(1.0), d0, TL_C(1.0) / TL_LIBM(sqrt)(d0), -TL_C(0.5), function);
+}
+
+void tl_asin(tl_ctx *cx, tl_real *c, const tl_real *a) { arc(cx, c, a, TL_LIBM(asin)(a[0]), TL_C(1.0), TL_FN_asin); }
+void tl_acos(tl_ctx *cx, tl_real *c, const tl_real *a) { arc(cx, c, a, TL_LIBM(acos)(a[0]), -TL_C(1.0), TL_FN_acos); }
+
+/* E atan(a) = E a / (1 + a^2) = scale E x / (scale^2 + x^2) with x = scale a. */
+void tl_atan(tl_ctx *cx, tl_real *c, const tl_real *a) {
+  if (!tl_accept(cx, c, a[0], TL_FN_atan)) return;
+  const tl_real value = TL_LIBM(atan)(a[0]), scale = shrink(a[0]), x0 = scale * a[0], d0 = scale * scale + x0 * x0;
+  load(cx, a, scale);
+  integrate_power(cx, c, value, scale, TL_C(1.0), d0, TL_C(1.0) / d0, -TL_C(1.0), TL_FN_atan);
+}
+
+/* (x^2 + y^2) E angle = x E y - y E x:
+ *     |B| d_0 c_B = |B| (x_0 y_B - y_0 x_B) + sum_{B1,B2>0} (|B2| - |B1|) x_B1 y_B2 - |B1| c_B1 d_B2,    d = x^2 + y^2,
+ * with both sides scaled to about 1, which leaves the angle as it is. */
+void tl_atan2(tl_ctx *cx, tl_real *c, const tl_real *y, const tl_real *x) {
+  const tl_shape *s = cx->shape;
+  if (!tl_accept(cx, c, y[0], TL_FN_atan2) || !tl_accept(cx, c, x[0], TL_FN_atan2)) return;
+  const tl_real value = TL_LIBM(atan2)(y[0], x[0]), size = TL_LIBM(fmax)(TL_LIBM(fabs)(x[0]), TL_LIBM(fabs)(y[0]));
+  if (size == TL_C(0.0) && s->degree > 0) {
+    tl_reject(cx, c, TL_SINGULAR, TL_FN_atan2);
+    return;
+  }
+  const tl_real scale = tl_normaliser(size);
+  tl_real *u = tl_scratch(cx, 0), *v = tl_scratch(cx, 1), *d = tl_scratch(cx, 2);
+  for (int i = 0; i < s->ncoef; i++) {
+    u[i] = scale * x[i];
+    v[i] = scale * y[i];
+  }
+  c[0] = value;
+  d[0] = u[0] * u[0] + v[0] * v[0];
+  tl_square_blocks(s, d, TL_C(1.0), u);
+  for (tl_block b = tl_first_block(s); b.n; b = tl_next_block(s, b)) {
+    const tl_real w = (tl_real)b.weight;
+    tl_add_interior(s, b, d + b.at, (tl_factor){.z = TL_C(1.0)}, v, v);
+    tl_row_add(b.n, d + b.at, TL_C(2.0) * v[0], v + b.at);
+    tl_row_combine(b.n, c + b.at, w * u[0], v + b.at, -w * v[0], u + b.at);
+    tl_add_interior(s, b, c + b.at, (tl_factor){.u = -TL_C(1.0), .v = TL_C(1.0)}, u, v);
+    tl_add_interior(s, b, c + b.at, (tl_factor){.u = -TL_C(1.0)}, c, d);
+    tl_row_divide(b.n, c + b.at, w * d[0]);
+  }
+  tl_check(cx, c, TL_FN_atan2);
+}
+
+/* E asinh(a) = E a / sqrt(1 + a^2) = E x / sqrt(scale^2 + x^2) with x = scale a. */
+void tl_asinh(tl_ctx *cx, tl_real *c, const tl_real *a) {
+  if (!tl_accept(cx, c, a[0], TL_FN_asinh)) return;
+  const tl_real value = TL_LIBM(asinh)(a[0]), scale = shrink(a[0]), x0 = scale * a[0], d0 = scale * scale + x0 * x0;
+  load(cx, a, scale);
+  integrate_power(cx, c, value, TL_C(1.0), TL_C(1.0), d0, TL_C(1.0) / TL_LIBM(sqrt)(d0), -TL_C(0.5), TL_FN_asinh);
+}
+
+/* E acosh(a) = E a / sqrt(a^2 - 1) = E x / sqrt(x^2 - scale^2), x^2 - scale^2 = (x - scale)(x + scale) with x = scale a. */
+void tl_acosh(tl_ctx *cx, tl_real *c, const tl_real *a) {
+  if (!tl_accept(cx, c, a[0], TL_FN_acosh)) return;
+  if (a[0] < TL_C(1.0) || (a[0] == TL_C(1.0) && cx->shape->degree > 0)) {
+    tl_reject(cx, c, a[0] < TL_C(1.0) ? TL_DOMAIN : TL_SINGULAR, TL_FN_acosh);
+    return;
+  }
+  const tl_real value = TL_LIBM(acosh)(a[0]), scale = shrink(a[0]), x0 = scale * a[0], d0 = (x0 - scale) * (x0 + scale);
+  load(cx, a, scale);
+  integrate_power(cx, c, value, TL_C(1.0), TL_C(1.0), d0, TL_C(1.0) / TL_LIBM(sqrt)(d0), -TL_C(0.5), TL_FN_acosh);
+}
+
+/* E atanh(a) = E a / (1 - a^2). */
+void tl_atanh(tl_ctx *cx, tl_real *c, const tl_real *a) {
+  const tl_real value = TL_LIBM(atanh)(a[0]), d0 = (TL_C(1.0) - a[0]) * (TL_C(1.0) + a[0]);
+  if (!tl_accept(cx, c, a[0], TL_FN_atanh)) return;
+  if (d0 <= TL_C(0.0)) {
+    tl_reject(cx, c, TL_DOMAIN, TL_FN_atanh);
+    return;
+  }
+  load(cx, a, TL_C(1.0));
+  integrate_power(cx, c, value, TL_C(1.0), -TL_C(1.0), d0, TL_C(1.0) / d0, -TL_C(1.0), TL_FN_atanh);
+}

@@ -1,0 +1,164 @@
+/* Arithmetic of jets. */
+#include "block.h"
+
+#include <string.h>
+
+static void set_constant(tl_ctx *cx, tl_real *c, tl_real x) {
+  tl_row_zero(cx->shape->ncoef, c);
+  c[0] = x;
+}
+
+void tl_const(tl_ctx *cx, tl_real *c, tl_real x) {
+  set_constant(cx, c, x);
+  tl_check(cx, c, TL_FN_seed);
+}
+
+void tl_seed(tl_ctx *cx, tl_real *c, tl_real x, int i) {
+  assert(i >= 0 && i < cx->shape->nvar);
+  set_constant(cx, c, x);
+  if (cx->shape->order > 0) c[cx->shape->start[1] + i] = TL_C(1.0);
+  tl_check(cx, c, TL_FN_seed);
+}
+
+void tl_copy(tl_ctx *cx, tl_real *c, const tl_real *a) {
+  if (c != a) memcpy(c, a, (size_t)cx->shape->ncoef * sizeof *c);
+  tl_check(cx, c, TL_FN_copy);
+}
+
+void tl_add(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
+  for (int i = 0; i < cx->shape->ncoef; i++) c[i] = a[i] + b[i];
+  tl_check(cx, c, TL_FN_add);
+}
+
+void tl_sub(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
+  for (int i = 0; i < cx->shape->ncoef; i++) c[i] = a[i] - b[i];
+  tl_check(cx, c, TL_FN_sub);
+}
+
+void tl_neg(tl_ctx *cx, tl_real *c, const tl_real *a) {
+  for (int i = 0; i < cx->shape->ncoef; i++) c[i] = -a[i];
+  tl_check(cx, c, TL_FN_sub);
+}
+
+void tl_scale(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real x) {
+  for (int i = 0; i < cx->shape->ncoef; i++) c[i] = x * a[i];
+  tl_check(cx, c, TL_FN_scale);
+}
+
+void tl_shift(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real x) {
+  if (c != a) memcpy(c, a, (size_t)cx->shape->ncoef * sizeof *c);
+  c[0] += x;
+  tl_check(cx, c, TL_FN_add);
+}
+
+void tl_rsub(tl_ctx *cx, tl_real *c, tl_real x, const tl_real *a) {
+  const tl_real value = x - a[0];
+  for (int i = 1; i < cx->shape->ncoef; i++) c[i] = -a[i];
+  c[0] = value;
+  tl_check(cx, c, TL_FN_sub);
+}
+
+void tl_axpy(tl_ctx *cx, tl_real *c, tl_real x, const tl_real *a) {
+  for (int i = 0; i < cx->shape->ncoef; i++) c[i] += x * a[i];
+  tl_check(cx, c, TL_FN_scale);
+}
+
+void tl_mul(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
+  const tl_real value = a[0] * b[0];
+  tl_product_blocks(cx->shape, c, a, b);
+  c[0] = value;
+  tl_check(cx, c, TL_FN_mul);
+}
+
+void tl_muladd(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
+  const tl_shape *s = cx->shape;
+  assert(c != a && c != b);
+  c[0] += a[0] * b[0];
+  for (tl_block B = tl_first_block(s); B.n; B = tl_next_block(s, B)) {
+    tl_row_add(B.n, c + B.at, a[0], b + B.at);
+    tl_row_add(B.n, c + B.at, b[0], a + B.at);
+    tl_add_interior(s, B, c + B.at, (tl_factor){.z = TL_C(1.0)}, a, b);
+  }
+  tl_check(cx, c, TL_FN_mul);
+}
+
+/* b_0 c_B = a_B - sum_{B2>0} c_B1 b_B2, from c_0 = a_0/b_0. c may be a, whose blocks are each read once, just before c's is written;
+ * c may not be b. */
+static void divide_blocks(const tl_shape *s, tl_real *c, const tl_real *a, const tl_real *b) {
+  for (tl_block B = tl_first_block(s); B.n; B = tl_next_block(s, B)) {
+    tl_real *cB = c + B.at;
+    const tl_real *aB = a + B.at, *bB = b + B.at;
+    for (int i = 0; i < B.n; i++) cB[i] = aB[i] - c[0] * bB[i];
+    tl_add_interior(s, B, cB, (tl_factor){.z = -TL_C(1.0)}, c, b);
+    tl_row_divide(B.n, cB, b[0]);
+  }
+}
+
+void tl_div(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
+  if (!tl_accept(cx, c, a[0], TL_FN_div) || !tl_accept(cx, c, b[0], TL_FN_div)) return;
+  if (b[0] == TL_C(0.0)) {
+    tl_reject(cx, c, TL_DOMAIN, TL_FN_div);
+    return;
+  }
+  const tl_real *divisor = tl_unaliased(cx, b, c, 0);
+  c[0] = a[0] / divisor[0];
+  divide_blocks(cx->shape, c, b == a ? divisor : a, divisor);
+  tl_check(cx, c, TL_FN_div);
+}
+
+void tl_rdiv(tl_ctx *cx, tl_real *c, tl_real x, const tl_real *b) {
+  if (!tl_accept(cx, c, x, TL_FN_div) || !tl_accept(cx, c, b[0], TL_FN_div)) return;
+  if (b[0] == TL_C(0.0)) {
+    tl_reject(cx, c, TL_DOMAIN, TL_FN_div);
+    return;
+  }
+  const tl_real *divisor = tl_unaliased(cx, b, c, 0);
+  set_constant(cx, c, x);
+  c[0] = x / divisor[0];
+  divide_blocks(cx->shape, c, c, divisor);
+  tl_check(cx, c, TL_FN_div);
+}
+
+void tl_divc(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real x) {
+  if (!tl_accept(cx, c, x, TL_FN_div)) return;
+  if (x == TL_C(0.0)) {
+    tl_reject(cx, c, TL_DOMAIN, TL_FN_div);
+    return;
+  }
+  for (int i = 0; i < cx->shape->ncoef; i++) c[i] = a[i] / x;
+  tl_check(cx, c, TL_FN_div);
+}
+
+void tl_compose(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *f) {
+  if (!tl_accept(cx, c, a[0], TL_FN_compose)) return;
+  tl_compose_blocks(cx, c, a, f, cx->shape->degree, 0);
+  tl_check(cx, c, TL_FN_compose);
+}
+
+void tl_apply(tl_ctx *cx, tl_real *c, const tl_real *a, tl_rule *rule, const void *user) {
+  tl_real f[TL_MAX_CURVE + TL_MAX_ORDER + 1];
+  const unsigned bits = rule(f, a[0], cx->shape->degree, user);
+  if (bits != TL_OK)
+    tl_reject(cx, c, bits, TL_FN_compose);
+  else
+    tl_compose(cx, c, a, f);
+}
+
+tl_real tl_coef(const tl_shape *s, const tl_real *a, int k, const int *alpha) {
+  const int at = tl_index(s, k, alpha);
+  return at < 0 ? TL_C(0.0) : a[at];
+}
+
+static tl_real factorial(int n) {
+  tl_real f = TL_C(1.0);
+  for (int i = 2; i <= n; i++) f *= (tl_real)i;
+  return f;
+}
+
+tl_real tl_deriv(const tl_shape *s, const tl_real *a, int k, const int *alpha) {
+  const int at = tl_index(s, k, alpha);
+  if (at < 0) return TL_C(0.0);
+  tl_real scale = factorial(k);
+  for (int i = 0; alpha && i < s->nvar; i++) scale *= factorial(alpha[i]);
+  return a[at] * scale;
+}
