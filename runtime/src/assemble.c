@@ -1,0 +1,131 @@
+/* Assembly of M, Q, A, b and the energy from jets of the model's functions. */
+#include "eom/assemble.h"
+
+#include "stage.h"
+
+#include <assert.h>
+#include <string.h>
+
+static eom_status start(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  assert(sys && sys->workspace && q && qd);
+  sys->report = (eom_report){.status = EOM_OK, .index = -1, .rank = -1};
+  sys->workspace->assembled = false;
+  if (eom_check_finite(sys, "argument q", q, sys->n) != EOM_OK) return sys->report.status;
+  if (eom_check_finite(sys, "argument qd", qd, sys->n) != EOM_OK) return sys->report.status;
+  return eom_check_finite(sys, "argument t", &t, 1);
+}
+
+/* p_i = [t_ui] L, E = p.qd - L from a jet of L with tangents on qd. */
+static void read_energy(eom_system *sys, const tl_real *jet, const tl_shape *shape, const tl_real *qd) {
+  memcpy(sys->momentum, jet + shape->start[1], (size_t)sys->n * sizeof(tl_real));
+  sys->lagrangian = jet[0];
+  tl_real e = -jet[0];
+  for (int i = 0; i < sys->n; i++) e += sys->momentum[i] * qd[i];
+  sys->energy = e;
+}
+
+eom_status eom_energy(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  if (start(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  eom_workspace *ws = sys->workspace;
+  eom_stage_seed(sys, STAGE_ENERGY, q, qd, NULL, t);
+  if (eom_stage_run(sys, &sys->model->lagrangian) != EOM_OK) return sys->report.status;
+  read_energy(sys, ws->jet_out, &ws->stage[STAGE_ENERGY].shape, qd);
+  return eom_check_finite(sys, "energy", &sys->energy, 1);
+}
+
+/* M_ij = d2L/du_i du_j: the packed upper triangle of order 2, where coefficient = derivative off the diagonal and half of it on it. */
+static void read_mass(eom_system *sys, const tl_real *jet, const tl_shape *shape) {
+  const int n = sys->n;
+  const tl_real *packed = jet + shape->start[2];
+  for (int i = 0; i < n; i++) {
+    sys->M[i * n + i] = TL_C(2.0) * *packed++;
+    for (int j = i + 1; j < n; j++) sys->M[i * n + j] = sys->M[j * n + i] = *packed++;
+  }
+}
+
+static eom_status assemble_mass(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  eom_workspace *ws = sys->workspace;
+  eom_stage_seed(sys, STAGE_MASS, q, qd, NULL, t);
+  if (eom_stage_run(sys, &sys->model->lagrangian) != EOM_OK) return sys->report.status;
+  read_mass(sys, ws->jet_out, &ws->stage[STAGE_MASS].shape);
+  read_energy(sys, ws->jet_out, &ws->stage[STAGE_MASS].shape, qd);
+  if (eom_check_finite(sys, "energy", &sys->energy, 1) != EOM_OK) return sys->report.status;
+  return eom_check_finite(sys, "mass matrix", sys->M, sys->n * sys->n);
+}
+
+/* Q_i = Gamma_i + [t_xi] L - [s t_ui] L along q + s qd, qd constant, t + s. */
+static eom_status assemble_force(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  eom_workspace *ws = sys->workspace;
+  const int n = sys->n;
+  eom_stage_seed(sys, STAGE_FORCE, q, qd, NULL, t);
+  if (eom_stage_run(sys, &sys->model->lagrangian) != EOM_OK) return sys->report.status;
+  const tl_real *row = ws->jet_out + ws->stage[STAGE_FORCE].shape.start[1], *row_s = row + 2 * n;
+  for (int i = 0; i < n; i++) sys->Q[i] = row[i] - row_s[n + i];
+  if (sys->model->force.jet) {
+    eom_stage_seed(sys, STAGE_GAMMA, q, qd, NULL, t);
+    if (eom_stage_run(sys, &sys->model->force) != EOM_OK) return sys->report.status;
+    for (int i = 0; i < n; i++) sys->Q[i] += ws->jet_out[i];
+  }
+  return eom_check_finite(sys, "generalized force", sys->Q, n);
+}
+
+/* Row r of A is [t_x] phi_r; phi'' = A qdd - b is 2[s2] phi_r, so b_r = -2[s2] phi_r at qdd = 0. The terms that cancel in b are of the
+ * size of |dA/dt| |qd| = sum_k |[s t_xk] phi_r| |qd_k|. */
+static void read_holonomic(eom_system *sys, const tl_real *jet, const tl_shape *shape, const tl_real *qd, int r) {
+  const int n = sys->n;
+  const tl_real *row = jet + shape->start[1], *row_s = row + n;
+  memcpy(sys->A + r * n, row, (size_t)n * sizeof(tl_real));
+  sys->phi[r] = jet[0];
+  sys->phi_dot[r] = jet[1];
+  sys->b[r] = TL_C(-2.0) * jet[2];
+  tl_real size = TL_LIBM(fabs)(sys->b[r]);
+  for (int k = 0; k < n; k++) size += TL_LIBM(fabs)(row_s[k] * qd[k]);
+  sys->workspace->b_size[r] = size;
+}
+
+static eom_status assemble_holonomic(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  eom_workspace *ws = sys->workspace;
+  const tl_shape *shape = &ws->stage[STAGE_HOLONOMIC].shape;
+  eom_stage_seed(sys, STAGE_HOLONOMIC, q, qd, NULL, t);
+  for (int f = 0, r = 0; f < sys->model->nholonomic; f++) {
+    const eom_function *phi = &sys->model->holonomic[f];
+    if (eom_stage_run(sys, phi) != EOM_OK) return sys->report.status;
+    const int rows = phi->rows(sys->params);
+    for (int i = 0; i < rows; i++) read_holonomic(sys, ws->jet_out + (size_t)i * (size_t)shape->ncoef, shape, qd, r++);
+  }
+  return eom_check_finite(sys, "phi", sys->phi, sys->m1);
+}
+
+/* Row r of A is [t_u] psi_r; psi' = A qdd - b is [s] psi_r, so b_r = -[s] psi_r at qdd = 0. */
+static void read_nonholonomic(eom_system *sys, const tl_real *jet, const tl_shape *shape, int r) {
+  const int n = sys->n, row = sys->m1 + r;
+  memcpy(sys->A + row * n, jet + shape->start[1], (size_t)n * sizeof(tl_real));
+  sys->psi[r] = jet[0];
+  sys->b[row] = -jet[1];
+  sys->workspace->b_size[row] = TL_LIBM(fabs)(jet[1]);
+}
+
+static eom_status assemble_nonholonomic(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  eom_workspace *ws = sys->workspace;
+  const tl_shape *shape = &ws->stage[STAGE_NONHOLONOMIC].shape;
+  eom_stage_seed(sys, STAGE_NONHOLONOMIC, q, qd, NULL, t);
+  for (int f = 0, r = 0; f < sys->model->nnonholonomic; f++) {
+    const eom_function *psi = &sys->model->nonholonomic[f];
+    if (eom_stage_run(sys, psi) != EOM_OK) return sys->report.status;
+    const int rows = psi->rows(sys->params);
+    for (int i = 0; i < rows; i++) read_nonholonomic(sys, ws->jet_out + (size_t)i * (size_t)shape->ncoef, shape, r++);
+  }
+  return eom_check_finite(sys, "psi", sys->psi, sys->m2);
+}
+
+eom_status eom_assemble(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  if (start(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  if (assemble_mass(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  if (assemble_force(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  if (sys->m1 > 0 && assemble_holonomic(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  if (sys->m2 > 0 && assemble_nonholonomic(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  if (eom_check_finite(sys, "constraint matrix", sys->A, sys->m * sys->n) != EOM_OK) return sys->report.status;
+  if (eom_check_finite(sys, "constraint vector b", sys->b, sys->m) != EOM_OK) return sys->report.status;
+  sys->workspace->assembled = true;
+  return EOM_OK;
+}

@@ -1,0 +1,163 @@
+/* Exact linearisation of constrained motion.
+ *
+ * With r(q,qd,qdd,t) = d/dt dL/dqd - dL/dq - Gamma = M qdd - Q the motion satisfies r = A' lambda and phi'' = 0, psi' = 0, so
+ *   M dqdd - A' dlambda = -dr/dy dy + d(A' lambda)/dy dy,   A dqdd = -d(phi'', psi')/dy dy,
+ * every derivative taken at the solved qdd and lambda. With x and u the tangents on q and qd (constant in s):
+ *   dr_i/dx_j = [s u_i x_j] L - [x_i x_j] L - dGamma_i/dx_j
+ *   dr_i/du_j = [s u_i u_j] L + [u_i x_j] L - [x_i u_j] L - dGamma_i/du_j
+ *   dphi''/dx_j = 2 [s2 x_j] phi,  dphi''/du_j = 2 [s x_j] phi,  d(A'lambda)_i/dx_j = sum_r lambda_r [x_i x_j] phi_r
+ *   dpsi'/dx_j = [s x_j] psi,  dpsi'/du_j = [s u_j] psi + [x_j] psi,  d(A'lambda)_i/dy_j = sum_r lambda_r [u_i y_j] psi_r
+ * where brackets mean derivatives in the tangents and coefficients in s. */
+#include "eom/linearise.h"
+
+#include "eom/solve.h"
+#include "factor.h"
+#include "stage.h"
+
+#include <assert.h>
+#include <string.h>
+
+/* The block of second order in the tangents at one power of s. */
+typedef struct second_order {
+  const tl_real *packed;
+  int nvar;
+} second_order;
+
+static second_order second_order_at(const tl_shape *s, const tl_real *jet, int k) {
+  return (second_order){jet + s->start[2] + k * s->nhom[2], s->nvar};
+}
+
+/* The derivative with respect to t_i and t_j. */
+static tl_real derivative(second_order h, int i, int j) {
+  if (i == j) return TL_C(2.0) * h.packed[i * h.nvar - i * (i - 1) / 2];
+  const int lo = i < j ? i : j, hi = i < j ? j : i;
+  return h.packed[lo * h.nvar - lo * (lo - 1) / 2 + hi - lo];
+}
+
+/* rhs1 = -dr/dy, its part from L. */
+static void read_lagrangian(eom_system *sys, const tl_shape *shape) {
+  const eom_workspace *ws = sys->workspace;
+  const int n = sys->n;
+  const second_order h = second_order_at(shape, ws->jet_out, 0), h_s = second_order_at(shape, ws->jet_out, 1);
+  for (int j = 0; j < n; j++) {
+    tl_real *by_x = ws->rhs1 + j * n, *by_u = ws->rhs1 + (n + j) * n;
+    for (int i = 0; i < n; i++) {
+      by_x[i] = derivative(h, i, j) - derivative(h_s, n + i, j);
+      by_u[i] = derivative(h, i, n + j) - derivative(h, n + i, j) - derivative(h_s, n + i, n + j);
+    }
+  }
+}
+
+/* rhs2 = -dpsi'/dy, rhs1 += d(A'lambda)/dy for one row. */
+static void read_nonholonomic(eom_system *sys, const tl_shape *shape, const tl_real *jet, int row) {
+  const eom_workspace *ws = sys->workspace;
+  const int n = sys->n, m = sys->m;
+  const tl_real *first = jet + shape->start[1], *first_s = first + 2 * n;
+  const second_order h = second_order_at(shape, jet, 0);
+  for (int j = 0; j < n; j++) {
+    ws->rhs2[j * m + row] = -first_s[j];
+    ws->rhs2[(n + j) * m + row] = -first_s[n + j] - first[j];
+  }
+  for (int j = 0; j < 2 * n; j++)
+    for (int i = 0; i < n; i++) ws->rhs1[j * n + i] += sys->lambda[row] * derivative(h, n + i, j);
+}
+
+static eom_status linearise_motion(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  const eom_workspace *ws = sys->workspace;
+  const tl_shape *shape = &ws->stage[STAGE_LINEARISE].shape;
+  eom_stage_seed(sys, STAGE_LINEARISE, q, qd, sys->qdd, t);
+  if (eom_stage_run(sys, &sys->model->lagrangian) != EOM_OK) return sys->report.status;
+  read_lagrangian(sys, shape);
+  for (int f = 0, r = sys->m1; f < sys->model->nnonholonomic; f++) {
+    const eom_function *psi = &sys->model->nonholonomic[f];
+    if (eom_stage_run(sys, psi) != EOM_OK) return sys->report.status;
+    const int rows = psi->rows(sys->params);
+    for (int i = 0; i < rows; i++) read_nonholonomic(sys, shape, ws->jet_out + (size_t)i * (size_t)shape->ncoef, r++);
+  }
+  return EOM_OK;
+}
+
+/* rhs1 += dGamma/dy. */
+static eom_status linearise_force(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  const eom_workspace *ws = sys->workspace;
+  const tl_shape *shape = &ws->stage[STAGE_GAMMA_LINEARISE].shape;
+  const int n = sys->n;
+  eom_stage_seed(sys, STAGE_GAMMA_LINEARISE, q, qd, NULL, t);
+  if (eom_stage_run(sys, &sys->model->force) != EOM_OK) return sys->report.status;
+  for (int i = 0; i < n; i++) {
+    const tl_real *row = ws->jet_out + (size_t)i * (size_t)shape->ncoef + shape->start[1];
+    for (int j = 0; j < 2 * n; j++) ws->rhs1[j * n + i] += row[j];
+  }
+  return EOM_OK;
+}
+
+/* rhs2 = -dphi''/dy. */
+static eom_status linearise_holonomic(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  const eom_workspace *ws = sys->workspace;
+  const tl_shape *shape = &ws->stage[STAGE_HOLONOMIC].shape;
+  const int n = sys->n, m = sys->m;
+  eom_stage_seed(sys, STAGE_HOLONOMIC, q, qd, sys->qdd, t);
+  for (int f = 0, r = 0; f < sys->model->nholonomic; f++) {
+    const eom_function *phi = &sys->model->holonomic[f];
+    if (eom_stage_run(sys, phi) != EOM_OK) return sys->report.status;
+    const int rows = phi->rows(sys->params);
+    for (int i = 0; i < rows; i++, r++) {
+      const tl_real *row_s = ws->jet_out + (size_t)i * (size_t)shape->ncoef + shape->start[1] + n, *row_s2 = row_s + n;
+      for (int j = 0; j < n; j++) {
+        ws->rhs2[j * m + r] = TL_C(-2.0) * row_s2[j];
+        ws->rhs2[(n + j) * m + r] = TL_C(-2.0) * row_s[j];
+      }
+    }
+  }
+  return EOM_OK;
+}
+
+/* rhs1 += d(A'lambda)/dq. */
+static eom_status linearise_constraint_force(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  const eom_workspace *ws = sys->workspace;
+  const tl_shape *shape = &ws->stage[STAGE_CURVATURE].shape;
+  const int n = sys->n;
+  eom_stage_seed(sys, STAGE_CURVATURE, q, qd, NULL, t);
+  for (int f = 0, r = 0; f < sys->model->nholonomic; f++) {
+    const eom_function *phi = &sys->model->holonomic[f];
+    if (eom_stage_run(sys, phi) != EOM_OK) return sys->report.status;
+    const int rows = phi->rows(sys->params);
+    for (int k = 0; k < rows; k++, r++) {
+      const second_order h = second_order_at(shape, ws->jet_out + (size_t)k * (size_t)shape->ncoef, 0);
+      for (int j = 0; j < n; j++)
+        for (int i = 0; i < n; i++) ws->rhs1[j * n + i] += sys->lambda[r] * derivative(h, i, j);
+    }
+  }
+  return EOM_OK;
+}
+
+/* Solves for all 2n columns and turns vectors into rows of the results. */
+static eom_status solve_columns(eom_system *sys) {
+  eom_workspace *ws = sys->workspace;
+  const int n = sys->n, m = sys->m;
+  for (int j = 0; j < 2 * n; j++) {
+    tl_real *dq = ws->sol1 + j * n, *dl = ws->sol2 ? ws->sol2 + j * m : NULL;
+    eom_kkt_solve(sys, dq, dl, ws->rhs1 + j * n, ws->rhs2 ? ws->rhs2 + j * m : NULL);
+    for (int i = 0; i < n; i++) sys->qdd_y[i * 2 * n + j] = dq[i];
+    for (int r = 0; r < m; r++) sys->lambda_y[r * 2 * n + j] = dl[r];
+  }
+  if (eom_check_finite(sys, "derivative of the accelerations", sys->qdd_y, 2 * n * n) != EOM_OK) return sys->report.status;
+  return eom_check_finite(sys, "derivative of the multipliers", sys->lambda_y, 2 * n * m);
+}
+
+eom_status eom_linearise(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  assert(sys && (sys->options.needs & EOM_NEED_LINEARISE));
+  if (eom_acceleration(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  if (linearise_motion(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  if (sys->model->force.jet && linearise_force(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  if (sys->m1 > 0 && linearise_holonomic(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  if (sys->m1 > 0 && linearise_constraint_force(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  return solve_columns(sys);
+}
+
+void eom_state_matrix(const eom_system *sys, tl_real *F) {
+  const int n = sys->n;
+  memset(F, 0, 2 * (size_t)n * (size_t)n * sizeof(tl_real));
+  for (int i = 0; i < n; i++) F[i * 2 * n + n + i] = TL_C(1.0);
+  memcpy(F + 2 * n * n, sys->qdd_y, 2 * (size_t)n * (size_t)n * sizeof(tl_real));
+}

@@ -1,0 +1,67 @@
+/* Status texts and the report as readable text. */
+#include "eom/status.h"
+
+#include <stdarg.h>
+#include <stdio.h>
+
+const char *eom_status_text(eom_status status) {
+  static const char *const text[] = {
+#define EOM_X(name, sentence) sentence,
+      EOM_STATUSES(EOM_X)
+#undef EOM_X
+  };
+  return (size_t)status < sizeof text / sizeof text[0] ? text[status] : "unknown status";
+}
+
+/* Text that grows at the end and counts on where the buffer is full. */
+typedef struct writer {
+  char *text;
+  size_t size, length;
+} writer;
+
+static void put(writer *w, const char *format, ...) {
+  va_list args;
+  va_start(args, format);
+  const size_t room = w->length < w->size ? w->size - w->length : 0;
+  const int wrote = vsnprintf(room ? w->text + w->length : NULL, room, format, args);
+  va_end(args);
+  if (wrote > 0) w->length += (size_t)wrote;
+}
+
+static void put_function(writer *w, const eom_report *r) {
+  if (!r->function) return;
+  put(w, "  in %s", r->function);
+  if (r->source) put(w, " (%s)", r->source);
+  if (r->index >= 0) put(w, ", number %d (counted from 0)", r->index);
+  put(w, "\n");
+  if (r->jet.bits == TL_OK) return;
+  put(w, "  %s in %s", tl_status_text(r->jet.bits), tl_fn_name(r->jet.function));
+  if (r->jet.line > 0) put(w, ", line %d of the model", r->jet.line);
+  put(w, "\n");
+}
+
+static void put_row(writer *w, const eom_row *row) {
+  static const char *const kind[] = {"independent", "dependent on the others", "inconsistent with the others"};
+  put(w, "  %s[%d]", row->name, row->row);
+  if (row->source) put(w, " (%s)", row->source);
+  put(w, ": %s\n", kind[row->kind]);
+}
+
+static void put_solve(writer *w, const eom_report *r) {
+  if (r->status == EOM_NO_INERTIA) put(w, "  coordinate %d (counted from 0) can move without inertia\n", r->index);
+  if (r->rank < 0) return;
+  put(w, "  constraint rank %d, condition %.2g, largest |A qdd - b| %.2g, smallest pivot of %s %.2g\n", r->rank, (double)r->condition,
+      (double)r->residual, r->weighted ? "M + A'WA" : "M", (double)r->pivot);
+  const int shown = r->nrow < EOM_REPORT_ROWS ? r->nrow : EOM_REPORT_ROWS;
+  for (int i = 0; i < shown; i++) put_row(w, &r->row[i]);
+  if (r->nrow > shown) put(w, "  and %d more rows\n", r->nrow - shown);
+}
+
+int eom_report_text(const eom_report *report, char *text, size_t size) {
+  writer w = {text, size, 0};
+  if (size > 0) text[0] = '\0';
+  put(&w, "%s\n", eom_status_text(report->status));
+  put_function(&w, report);
+  put_solve(&w, report);
+  return (int)w.length;
+}

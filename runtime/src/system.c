@@ -1,0 +1,312 @@
+/* Systems: validation of the model, sizes, and one visible layout of all memory. */
+#include "stage.h"
+
+#include <assert.h>
+#include <stdint.h>
+#include <stdlib.h>
+#include <string.h>
+
+eom_options eom_options_default(void) {
+  return (eom_options){.needs = EOM_NEED_LINEARISE,
+                       .weights = NULL,
+                       .rank_tolerance = TL_EPSILON * TL_C(450360.0), /* 1e-10 in double */
+                       .consistency_tolerance = TL_LIBM(sqrt)(TL_EPSILON),
+                       .linalg = EOM_LINALG_AUTO};
+}
+
+/* ---- memory ---- */
+
+#define EOM_ALIGNMENT 64 /* a cache line, and any vector register */
+
+void *eom_arena_take(eom_arena *arena, size_t count, size_t size) {
+  const size_t start = (arena->used + EOM_ALIGNMENT - 1) / EOM_ALIGNMENT * EOM_ALIGNMENT;
+  if (start < arena->used || (size > 0 && count > (SIZE_MAX - start) / size)) {
+    arena->overflow = true;
+    return NULL;
+  }
+  arena->used = start + count * size;
+  return arena->base && count > 0 ? arena->base + start : NULL;
+}
+
+tl_real *eom_arena_reals(eom_arena *arena, size_t count) { return eom_arena_take(arena, count, sizeof(tl_real)); }
+
+static void take_public(eom_system *sys, eom_arena *a) {
+  const size_t n = (size_t)sys->n, m = (size_t)sys->m;
+  sys->momentum = eom_arena_reals(a, n);
+  sys->M = eom_arena_reals(a, n * n);
+  sys->Q = eom_arena_reals(a, n);
+  sys->A = eom_arena_reals(a, m * n);
+  sys->b = eom_arena_reals(a, m);
+  sys->phi = eom_arena_reals(a, (size_t)sys->m1);
+  sys->phi_dot = eom_arena_reals(a, (size_t)sys->m1);
+  sys->psi = eom_arena_reals(a, (size_t)sys->m2);
+  sys->qdd = eom_arena_reals(a, n);
+  sys->lambda = eom_arena_reals(a, m);
+  sys->Qc = eom_arena_reals(a, n);
+  sys->row_kind = eom_arena_take(a, m, sizeof(eom_row_kind));
+  if (!(sys->options.needs & EOM_NEED_LINEARISE)) return;
+  sys->qdd_y = eom_arena_reals(a, 2 * n * n);
+  sys->lambda_y = eom_arena_reals(a, 2 * m * n);
+}
+
+static void take_factor(eom_factor *f, size_t n, size_t m, eom_arena *a) {
+  f->L = eom_arena_reals(a, n * n);
+  f->S = eom_arena_reals(a, n);
+  f->y = eom_arena_reals(a, n);
+  if (m == 0) return;
+  const size_t least = n < m ? n : m;
+  f->W = eom_arena_reals(a, m);
+  f->B = eom_arena_reals(a, m * n);
+  f->D = eom_arena_reals(a, m);
+  f->tau = eom_arena_reals(a, least);
+  f->pivot = eom_arena_take(a, m, sizeof(int));
+  f->U = eom_arena_reals(a, least * m);
+  f->tau_u = eom_arena_reals(a, least);
+  f->v = eom_arena_reals(a, m);
+  f->w = eom_arena_reals(a, m);
+  f->work = eom_arena_reals(a, (size_t)f->nwork);
+}
+
+static void take_private(eom_system *sys, eom_workspace *ws, eom_arena *a) {
+  const size_t n = (size_t)sys->n, m = (size_t)sys->m;
+  take_factor(&ws->factor, n, m, a);
+  ws->b_size = eom_arena_reals(a, m);
+  ws->r1 = eom_arena_reals(a, n);
+  ws->r2 = eom_arena_reals(a, m);
+  ws->dq = eom_arena_reals(a, n);
+  ws->dl = eom_arena_reals(a, m);
+  if (sys->options.needs & EOM_NEED_LINEARISE) {
+    ws->rhs1 = eom_arena_reals(a, 2 * n * n);
+    ws->rhs2 = eom_arena_reals(a, 2 * n * m);
+    ws->sol1 = eom_arena_reals(a, 2 * n * n);
+    ws->sol2 = eom_arena_reals(a, 2 * n * m);
+  }
+  ws->jets = eom_arena_reals(a, ws->njets);
+  ws->context = eom_arena_reals(a, ws->ncontext);
+}
+
+/* ---- the plan of a system: sizes, shapes, stages ---- */
+
+static bool function_is_complete(const eom_function *f) { return f->jet && f->rows && f->frame && f->name; }
+
+/* Rows of a list of constraint functions, or -1. */
+static int count_rows(const eom_function *list, int count, const void *params) {
+  if (count < 0 || (count > 0 && !list)) return -1;
+  int rows = 0;
+  for (int i = 0; i < count; i++) {
+    if (!function_is_complete(&list[i])) return -1;
+    const int r = list[i].rows(params);
+    if (r <= 0 || r > INT32_MAX - rows) return -1;
+    rows += r;
+  }
+  return rows;
+}
+
+static bool plan_sizes(eom_system *sys, const eom_model *model, const void *params) {
+  if (!model || !model->dof || (model->params_size > 0 && !params)) return false;
+  sys->model = model;
+  sys->params = params;
+  sys->n = model->dof(params);
+  if (sys->n <= 0) return false;
+  const eom_function *l = &model->lagrangian, *force = &model->force;
+  if (!function_is_complete(l) || l->rows(params) != 1) return false;
+  if (force->jet && (!function_is_complete(force) || force->rows(params) != sys->n)) return false;
+  sys->m1 = count_rows(model->holonomic, model->nholonomic, params);
+  sys->m2 = count_rows(model->nonholonomic, model->nnonholonomic, params);
+  if (sys->m1 < 0 || sys->m2 < 0 || sys->m1 > INT32_MAX - sys->m2) return false;
+  sys->m = sys->m1 + sys->m2;
+  return true;
+}
+
+static bool plan_options(eom_system *sys, const eom_options *given) {
+  sys->options = given ? *given : eom_options_default();
+  const eom_options *o = &sys->options;
+  if (o->needs & ~(unsigned)EOM_NEED_LINEARISE) return false;
+  if (!(o->rank_tolerance >= TL_C(0.0) && o->rank_tolerance < TL_C(1.0))) return false;
+  if (!(o->consistency_tolerance >= TL_C(0.0) && o->consistency_tolerance < TL_C(1.0))) return false;
+  if (o->weights)
+    for (int i = 0; i < sys->m; i++)
+      if (!(o->weights[i] > TL_C(0.0) && o->weights[i] <= TL_MAX)) return false;
+  return true;
+}
+
+#define EOM_LAPACK_FROM 48 /* rows from which LAPACK with a blocked BLAS overtakes the plain code (measured: README of bench) */
+
+static const eom_linalg *choose_linalg(const eom_system *sys) {
+  const eom_linalg_choice choice = sys->options.linalg;
+#ifdef EOM_HAVE_LAPACKE
+  const eom_linalg *lapack = &eom_linalg_lapacke;
+#else
+  const eom_linalg *lapack = NULL;
+#endif
+  if (choice == EOM_LINALG_CORE) return &eom_linalg_core;
+  if (choice == EOM_LINALG_LAPACK) return lapack;
+  if (choice != EOM_LINALG_AUTO) return NULL;
+  return lapack && sys->n >= EOM_LAPACK_FROM ? lapack : &eom_linalg_core;
+}
+
+static void use_stage(eom_workspace *ws, eom_stage_id id, tl_spec spec, int first_q, int first_qd) {
+  eom_stage *s = &ws->stage[id];
+  s->used = true;
+  s->spec = spec;
+  s->first_q = first_q;
+  s->first_qd = first_qd;
+}
+
+/* Makes room in a stage for a function. */
+static void admit(eom_stage *stage, const eom_function *f, const void *params) {
+  const size_t frame = f->frame(params), rows = (size_t)f->rows(params);
+  if (frame > stage->frame) stage->frame = frame;
+  if (rows > stage->rows) stage->rows = rows;
+}
+
+static void admit_all(eom_stage *stage, const eom_function *list, int count, const void *params) {
+  for (int i = 0; i < count; i++) admit(&stage[0], &list[i], params);
+}
+
+static void plan_stages(const eom_system *sys, eom_workspace *ws) {
+  const eom_model *model = sys->model;
+  const int n = sys->n;
+  const bool linearise = sys->options.needs & EOM_NEED_LINEARISE, force = model->force.jet != NULL;
+  eom_stage *stage = ws->stage;
+
+  use_stage(ws, STAGE_ENERGY, tl_jacobian(n), -1, 0);
+  use_stage(ws, STAGE_MASS, tl_hessian(n), -1, 0);
+  use_stage(ws, STAGE_FORCE, tl_motion(1, 2 * n), 0, n);
+  admit(&stage[STAGE_ENERGY], &model->lagrangian, sys->params);
+  admit(&stage[STAGE_MASS], &model->lagrangian, sys->params);
+  admit(&stage[STAGE_FORCE], &model->lagrangian, sys->params);
+  if (force) {
+    use_stage(ws, STAGE_GAMMA, tl_univariate(0), -1, -1);
+    admit(&stage[STAGE_GAMMA], &model->force, sys->params);
+  }
+  if (sys->m1 > 0) {
+    use_stage(ws, STAGE_HOLONOMIC, tl_motion(2, n), 0, -1);
+    admit_all(&stage[STAGE_HOLONOMIC], model->holonomic, model->nholonomic, sys->params);
+  }
+  if (sys->m2 > 0) {
+    use_stage(ws, STAGE_NONHOLONOMIC, tl_motion(1, n), -1, 0);
+    admit_all(&stage[STAGE_NONHOLONOMIC], model->nonholonomic, model->nnonholonomic, sys->params);
+  }
+  if (!linearise) return;
+  use_stage(ws, STAGE_LINEARISE, (tl_spec){.curve = 1, .nvar = 2 * n, .order = 2}, 0, n);
+  admit(&stage[STAGE_LINEARISE], &model->lagrangian, sys->params);
+  admit_all(&stage[STAGE_LINEARISE], model->nonholonomic, model->nnonholonomic, sys->params);
+  if (force) {
+    use_stage(ws, STAGE_GAMMA_LINEARISE, tl_jacobian(2 * n), 0, n);
+    admit(&stage[STAGE_GAMMA_LINEARISE], &model->force, sys->params);
+  }
+  if (sys->m1 > 0) {
+    use_stage(ws, STAGE_CURVATURE, tl_hessian(n), 0, -1);
+    admit_all(&stage[STAGE_CURVATURE], model->holonomic, model->nholonomic, sys->params);
+  }
+}
+
+/* Numbers that the jets and the context of each stage take: all stages share one piece of memory, as large as the largest. */
+static bool plan_memory(const eom_system *sys, eom_workspace *ws) {
+  for (int id = 0; id < STAGE_COUNT; id++) {
+    eom_stage *s = &ws->stage[id];
+    if (!s->used) continue;
+    const int ncoef = tl_ncoef(s->spec);
+    const size_t jets = 2 * (size_t)sys->n + 1 + s->rows;
+    if (ncoef <= 0 || jets > SIZE_MAX / sizeof(tl_real) / (size_t)ncoef) return false;
+    if (s->frame > SIZE_MAX / sizeof(tl_real) / (size_t)ncoef / 2) return false;
+    /* tl_ctx_size reads nothing of a shape but its number of coefficients */
+    const tl_shape shape = {.ncoef = ncoef};
+    s->context = tl_ctx_size(&shape, s->frame);
+    if (jets * (size_t)ncoef > ws->njets) ws->njets = jets * (size_t)ncoef;
+    if (s->context > ws->ncontext) ws->ncontext = s->context;
+  }
+  return true;
+}
+
+static eom_status plan(eom_system *sys, eom_workspace *ws, const eom_model *model, const void *params, const eom_options *options) {
+  *sys = (eom_system){0};
+  *ws = (eom_workspace){0};
+  if (!plan_sizes(sys, model, params)) return EOM_BAD_MODEL;
+  if (!plan_options(sys, options)) return EOM_BAD_OPTION;
+  ws->linalg = choose_linalg(sys);
+  if (!ws->linalg) return EOM_BAD_OPTION;
+  ws->factor.nwork = eom_linalg_work(sys->n > sys->m ? sys->n : sys->m, sys->m);
+  plan_stages(sys, ws);
+  return plan_memory(sys, ws) ? EOM_OK : EOM_NO_MEMORY;
+}
+
+/* Lays out everything: with a base, also starts the shapes. */
+static bool lay_out(eom_system *sys, eom_workspace **ws, eom_arena *arena) {
+  eom_workspace *kept = eom_arena_take(arena, 1, sizeof(eom_workspace));
+  if (kept) {
+    *kept = **ws;
+    *ws = kept;
+  }
+  for (int id = 0; id < STAGE_COUNT; id++) {
+    eom_stage *s = &(*ws)->stage[id];
+    if (!s->used) continue;
+    const size_t bytes = tl_shape_bytes(s->spec);
+    void *table = eom_arena_take(arena, bytes, 1);
+    if (arena->base && tl_shape_init(&s->shape, s->spec, table, bytes) != 0) return false;
+  }
+  take_public(sys, arena);
+  tl_real *weights = eom_arena_reals(arena, sys->options.weights ? (size_t)sys->m : 0);
+  if (weights) {
+    memcpy(weights, sys->options.weights, (size_t)sys->m * sizeof(tl_real));
+    sys->options.weights = weights;
+  }
+  take_private(sys, *ws, arena);
+  return !arena->overflow;
+}
+
+size_t eom_system_bytes(const eom_model *model, const void *params, const eom_options *options) {
+  eom_system sys;
+  eom_workspace local, *ws = &local;
+  eom_arena count = {0};
+  if (plan(&sys, ws, model, params, options) != EOM_OK || !lay_out(&sys, &ws, &count)) return 0;
+  return count.used + EOM_ALIGNMENT; /* the memory may start anywhere */
+}
+
+eom_status eom_system_init(eom_system *sys, const eom_model *model, const void *params, const eom_options *options, void *memory,
+                           size_t bytes) {
+  eom_workspace local, *ws = &local;
+  const eom_status status = plan(sys, ws, model, params, options);
+  if (status != EOM_OK) return status;
+  const size_t need = eom_system_bytes(model, params, options);
+  if (need == 0 || bytes < need || !memory) return EOM_NO_MEMORY;
+  const size_t off = (uintptr_t)memory % EOM_ALIGNMENT;
+  eom_arena arena = {.base = (char *)memory + (off ? EOM_ALIGNMENT - off : 0)};
+  memset(memory, 0, bytes);
+  if (!lay_out(sys, &ws, &arena)) return EOM_NO_MEMORY;
+  sys->workspace = ws;
+  sys->report = (eom_report){.status = EOM_OK, .index = -1, .rank = -1};
+  return EOM_OK;
+}
+
+/* The system itself at the front of one allocation. */
+eom_status eom_system_create(eom_system **out, const eom_model *model, const void *params, const eom_options *options) {
+  *out = NULL;
+  eom_system probe;
+  eom_workspace ws;
+  const eom_status status = plan(&probe, &ws, model, params, options);
+  if (status != EOM_OK) return status;
+  const size_t bytes = eom_system_bytes(model, params, options);
+  if (bytes == 0 || bytes > SIZE_MAX - sizeof(eom_system)) return EOM_NO_MEMORY;
+  eom_system *sys = malloc(sizeof(eom_system) + bytes);
+  if (!sys) return EOM_NO_MEMORY;
+  const eom_status started = eom_system_init(sys, model, params, options, sys + 1, bytes);
+  if (started == EOM_OK)
+    *out = sys;
+  else
+    free(sys);
+  return started;
+}
+
+void eom_system_destroy(eom_system *sys) { free(sys); }
+
+eom_row eom_system_row(const eom_system *sys, int i) {
+  assert(i >= 0 && i < sys->m);
+  const eom_row_kind kind = sys->row_kind[i];
+  const bool holonomic = i < sys->m1;
+  const eom_function *f = holonomic ? sys->model->holonomic : sys->model->nonholonomic;
+  int row = holonomic ? i : i - sys->m1;
+  while (row >= f->rows(sys->params)) row -= (f++)->rows(sys->params);
+  return (eom_row){.name = f->name, .source = f->source, .row = row, .kind = kind};
+}

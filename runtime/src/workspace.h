@@ -1,0 +1,84 @@
+/* Private parts of a system: the stages of evaluation, the factorisation, and how memory is laid out. */
+#ifndef EOM_WORKSPACE_H
+#define EOM_WORKSPACE_H
+
+#include "eom/system.h"
+#include "linalg.h"
+
+#include <stdbool.h>
+
+/* A kind of evaluation: a shape, the tangents that the seeds carry, and the memory its context takes. */
+typedef enum eom_stage_id {
+  STAGE_ENERGY,          /* {1} x C(n,1), tangents on qd */
+  STAGE_MASS,            /* {1} x C(n,2), tangents on qd */
+  STAGE_FORCE,           /* {1,s} x C(2n,1) */
+  STAGE_GAMMA,           /* {1} */
+  STAGE_HOLONOMIC,       /* {1,s,s2} x C(n,1), tangents on q */
+  STAGE_NONHOLONOMIC,    /* {1,s} x C(n,1), tangents on qd */
+  STAGE_LINEARISE,       /* {1,s} x C(2n,2) */
+  STAGE_GAMMA_LINEARISE, /* {1} x C(2n,1) */
+  STAGE_CURVATURE,       /* {1} x C(n,2), tangents on q */
+  STAGE_COUNT
+} eom_stage_id;
+
+typedef struct eom_stage {
+  bool used;
+  tl_spec spec;
+  int first_q, first_qd; /* number of the tangent on coordinate 0, velocity 0; -1 for none */
+  size_t frame;          /* jets of frame stack */
+  size_t context;        /* numbers for the context */
+  size_t rows;           /* result jets */
+  tl_shape shape;
+} eom_stage;
+
+/* calM = M + A'WA = S^-1 L L' S^-1, B = L^-1 S A' with columns of unit length: B D P = Q [R11 R12; 0 R22], and where the rank r is
+ * below m also [R11 R12]' = U [T; 0]. */
+typedef struct eom_factor {
+  bool weighted;
+  int rank;
+  tl_real *L;     /* n x n */
+  tl_real *S;     /* n: powers of two that bring the diagonal of calM near 1 */
+  tl_real *W;     /* m: weights in use */
+  tl_real *B;     /* m vectors of n: the QR factorisation */
+  tl_real *D;     /* m: one over the length of each column of L^-1 S A' */
+  tl_real *tau;   /* min(n,m) */
+  int *pivot;     /* m: column j of B P is row pivot[j] of A */
+  tl_real *U;     /* m vectors of m: rank vectors are used */
+  tl_real *tau_u; /* m */
+  tl_real *y, *v; /* n, m: inside a solve */
+  tl_real *w;     /* m */
+  tl_real *work;  /* linear algebra */
+  int nwork;
+} eom_factor;
+
+struct eom_workspace {
+  eom_stage stage[STAGE_COUNT];
+  tl_ctx cx;
+  tl_real *jets; /* seeds of q, qd, t and the results, of the stage in use */
+  tl_real *jet_q, *jet_qd, *jet_t, *jet_out;
+  tl_real *context; /* memory of cx */
+  size_t njets, ncontext;
+
+  const eom_linalg *linalg;
+  eom_factor factor;
+  tl_real *b_size;      /* m: size of the terms that cancel in b */
+  tl_real *r1, *r2;     /* n, m: residuals of the equations */
+  tl_real *dq, *dl;     /* n, m: corrections */
+  tl_real *rhs1, *rhs2; /* 2n vectors of n, of m: linearised right-hand sides, null without EOM_NEED_LINEARISE */
+  tl_real *sol1, *sol2; /* 2n vectors of n, of m */
+  bool assembled;
+};
+
+/* Memory handed out from front to back; with base null it only counts. */
+typedef struct eom_arena {
+  char *base;
+  size_t used;
+  bool overflow;
+} eom_arena;
+
+void *eom_arena_take(eom_arena *arena, size_t count, size_t size);
+
+/* A tl_real vector of count numbers. */
+tl_real *eom_arena_reals(eom_arena *arena, size_t count);
+
+#endif
