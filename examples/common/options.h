@@ -1,0 +1,36 @@
+/* Command lines: a table of options, checked strictly. */
+#ifndef COMMON_OPTIONS_H
+#define COMMON_OPTIONS_H
+
+#include <stdbool.h>
+
+typedef enum option_kind {
+  OPTION_FLAG,  /* value: bool, set where given */
+  OPTION_COUNT, /* value: int, least..most */
+  OPTION_REAL,  /* value: double, finite, least..most */
+  OPTION_ABOVE, /* value: double, finite, above least, at most most */
+  OPTION_TEXT,  /* value: const char *, not empty */
+  OPTION_CHOICE /* value: int, an index into choices */
+} option_kind;
+
+typedef struct option {
+  const char *name; /* "--step" */
+  option_kind kind;
+  void *value;                /* where the default stands and the value goes */
+  double least, most;         /* of a number */
+  const char *const *choices; /* ended by null */
+  const char *operand;        /* its name in the help, null for a flag */
+  const char *help;           /* what it does, with its unit; lines are broken by \n */
+} option;
+
+/* What --help prints around the table. */
+typedef struct manual {
+  const char *summary;  /* what the program does */
+  const char *examples; /* commands to try, with a word on each */
+} manual;
+
+/* Reads "--name value" and "--name=value" into the values of the table (count options). Prints the manual and exits with status 0 at
+ * --help; prints what is wrong and what to write instead and exits with EXIT_USAGE at anything that does not fit. */
+void read_options(int argc, char **argv, const option *table, int count, const manual *text);
+
+#endif

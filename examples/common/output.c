@@ -1,0 +1,91 @@
+/* Output files that are there whole or not at all. */
+#include "common/output.h"
+
+#include "common/message.h"
+
+#include <errno.h>
+#include <fcntl.h>
+#include <float.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+static int failed(output *o) {
+  complain("cannot write '%s': %s", o->target, strerror(errno));
+  output_discard(o);
+  return -1;
+}
+
+static FILE *open_direct(const char *path) {
+  int descriptor = open(path, O_WRONLY | O_CLOEXEC);
+  return descriptor < 0 ? NULL : fdopen(descriptor, "w");
+}
+
+/* A new file beside the target, with the permissions that a plain new file gets. */
+static FILE *open_temporary(output *o) {
+  size_t size = strlen(o->final) + 32;
+  o->temporary = malloc(size);
+  if (o->temporary == NULL) return NULL;
+  snprintf(o->temporary, size, "%s.%ld.part", o->final, (long)getpid());
+  int descriptor = open(o->temporary, O_WRONLY | O_CREAT | O_EXCL | O_CLOEXEC, 0666);
+  if (descriptor >= 0) return fdopen(descriptor, "w");
+  free(o->temporary); /* it is not ours, so it is not ours to remove */
+  o->temporary = NULL;
+  return NULL;
+}
+
+int output_open(output *o, const char *target) {
+  struct stat info;
+  *o = (output){.target = target};
+  bool exists = stat(target, &info) == 0;
+  if (exists && S_ISDIR(info.st_mode)) {
+    errno = EISDIR;
+    return failed(o);
+  }
+  if (exists && !S_ISREG(info.st_mode)) {
+    o->file = open_direct(target);
+  } else {
+    o->final = exists ? realpath(target, NULL) : strdup(target);
+    if (o->final != NULL) o->file = open_temporary(o);
+  }
+  return o->file != NULL ? 0 : failed(o);
+}
+
+void output_number(output *o, double x) {
+  char text[32];
+  int digits = DBL_DIG;
+  do snprintf(text, sizeof text, "%.*g", digits, x);
+  while (digits++ < DBL_DECIMAL_DIG && strtod(text, NULL) != x);
+  fputs(text, o->file);
+}
+
+void output_row(output *o, const double *row, int width) {
+  for (int i = 0; i < width; i++) {
+    output_number(o, row[i]);
+    fputc(i + 1 < width ? ',' : '\n', o->file);
+  }
+}
+
+int output_flush(output *o) { return fflush(o->file) == 0 && !ferror(o->file) ? 0 : failed(o); }
+
+int output_commit(output *o) {
+  if (output_flush(o) != 0) return -1;
+  FILE *file = o->file;
+  o->file = NULL;
+  if (fclose(file) != 0) return failed(o);
+  if (o->temporary != NULL && rename(o->temporary, o->final) != 0) return failed(o);
+  free(o->temporary);
+  o->temporary = NULL;
+  output_discard(o);
+  return 0;
+}
+
+void output_discard(output *o) {
+  if (o->file != NULL) fclose(o->file);
+  if (o->temporary != NULL) unlink(o->temporary);
+  free(o->temporary);
+  free(o->final);
+  *o = (output){.target = o->target};
+}

@@ -1,0 +1,72 @@
+/* The motion alone, without tangents: for the choice of a step and for the fate of a trajectory. */
+#include "motion.h"
+
+#include "common/interrupt.h"
+#include "pendulum_tl.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+static const double first_step = 0.02; /* s: about a hundredth of the period of one link */
+static const double trial_time = 20.0; /* s: some ten swings */
+static const double safety = 0.2;      /* of the bound that a trial may use up: chaotic motion has worse moments to come */
+
+enum { MOST_TRIALS = 12, LOOK_EVERY = 64 /* steps between two looks at the user's wish to stop */ };
+
+typedef struct watch {
+  eom_system *sys;
+  double energy0, bound, worst;
+  eom_status status;
+} watch;
+
+static double energy_of(watch *w, const eom_integrator *it) {
+  w->status = eom_energy(w->sys, it->y, it->y + w->sys->n, it->t);
+  return w->sys->energy;
+}
+
+static int observe(void *user, const eom_integrator *it) {
+  watch *w = user;
+  double error = fabs(energy_of(w, it) - w->energy0);
+  if (w->status != EOM_OK) return 1;
+  w->worst = fmax(w->worst, error);
+  return w->worst > w->bound || (it->steps % LOOK_EVERY == 0 && interrupted());
+}
+
+motion motion_do(const run_request *ask, double step, double t_end, double bound) {
+  struct pendulum p = run_pendulum(ask->links);
+  eom_options options = eom_options_default();
+  options.needs = EOM_NEED_SIMULATE;
+  motion m = {.status = EOM_NO_MEMORY};
+  watch w = {.bound = bound};
+  eom_integrator it;
+  int dim = 2 * ask->links;
+  double y[2 * PENDULUM_MAX_LINKS] = {ask->theta0};
+  double *work = malloc(eom_integrator_size(&eom_dp5, dim) * sizeof *work);
+
+  if (work != NULL) m.status = eom_system_create(&w.sys, &pendulum_model, &p, &options);
+  if (work != NULL && m.status == EOM_OK) {
+    eom_integrator_init(&it, &eom_dp5, eom_rhs, w.sys, dim, 0.0, y, step, work);
+    w.energy0 = energy_of(&w, &it);
+    m.status = eom_integrate(&it, t_end, observe, &w);
+    if (w.status != EOM_OK) m.status = w.status;
+    m.t = it.t;
+    m.worst_energy_error = w.worst;
+  }
+  eom_system_destroy(w.sys);
+  free(work);
+  return m;
+}
+
+/* The energy error grows as time and as the fifth power of the step. */
+double choose_step(const run_request *ask) {
+  double trial = fmin(trial_time, ask->t_end);
+  double allowed = safety * energy_bound * trial / ask->t_end;
+  double step = first_step;
+  for (int i = 0; i < MOST_TRIALS && !interrupted(); i++) {
+    motion m = motion_do(ask, step, trial, HUGE_VAL);
+    if (m.status == EOM_OK && m.worst_energy_error <= allowed) break;
+    double shrink = m.status == EOM_OK ? 0.95 * pow(allowed / m.worst_energy_error, 0.2) : 0.5;
+    step *= fmax(shrink, 0.1);
+  }
+  return step;
+}

@@ -1,0 +1,146 @@
+/* One run: the Lyapunov exponents of one pendulum along its motion, row by row. */
+#include "run.h"
+
+#include "common/interrupt.h"
+#include "common/message.h"
+#include "motion.h"
+#include "pendulum_tl.h"
+
+#include <math.h>
+#include <stdlib.h>
+
+const double energy_bound = 1e-6;
+const double paper_step = 0.05;
+
+static const double g = 9.81;           /* m/s^2 */
+static const double shorter_step = 0.7; /* of a step that turned out too long: leaves a sixth of its energy error */
+
+enum { LOOK_EVERY = 16 /* steps between two looks at the user's wish to stop */ };
+
+int run_width(const run *r) { return 2 * r->ask.links + 3; }
+
+struct pendulum run_pendulum(int links) {
+  struct pendulum p = {.n = links, .g = g};
+  for (int k = 0; k < links; k++) p.mass[k] = p.length[k] = 1.0;
+  return p;
+}
+
+/* The number of rows of the whole run, and the number of the step nearest to the time of row i; the last row is at t_end. */
+static long row_count(const run_request *ask) { return (long)ceil(ask->t_end / ask->every * (1.0 - DBL_EPSILON)); }
+
+static long step_of_row(const run *r, long i, long steps) {
+  return i >= row_count(&r->ask) ? steps : lround((double)i * r->ask.every / r->step);
+}
+
+/* Takes stock after a step. */
+static void measure(run *r, const eom_lyapunov *ly) {
+  r->t = ly->t;
+  r->energy_error = fabs(ly->energy - ly->energy0);
+  r->orthogonality_error = eom_lyapunov_orthogonality(ly);
+  r->worst_energy_error = fmax(r->worst_energy_error, r->energy_error);
+  if (r->orthogonality_error > 1.0 && r->t_orthogonality_lost < 0.0) r->t_orthogonality_lost = r->t;
+}
+
+static void keep_row(run *r, const eom_lyapunov *ly) {
+  int width = run_width(r);
+  double *row = r->rows + r->nrow++ * width;
+  row[0] = r->t;
+  eom_lyapunov_exponents(ly, row + 1);
+  row[width - 2] = r->energy_error;
+  row[width - 1] = r->orthogonality_error;
+}
+
+static void conclude(run *r, const eom_lyapunov *ly) {
+  eom_lyapunov_exponents(ly, r->lambda);
+  r->blocks = eom_lyapunov_interval(ly, 0, &r->mean, &r->half_width);
+  r->sum_error = eom_lyapunov_sum_error(ly);
+  r->pairing_error = eom_lyapunov_pairing_error(ly);
+}
+
+static bool over_bound(const run *r) { return r->ask.step == 0.0 && r->worst_energy_error > energy_bound; }
+
+/* Steps until t_end or until something ends the run; leaves r->end. */
+static void advance(run *r, eom_lyapunov *ly) {
+  long steps = lround(r->ask.t_end / r->step);
+  long next_row = step_of_row(r, 1, steps);
+  r->end = RUN_COMPLETE;
+  for (long i = 1; i <= steps && r->end == RUN_COMPLETE && !over_bound(r); i++) {
+    r->status = eom_lyapunov_step(ly);
+    if (r->status != EOM_OK) {
+      r->end = r->status == EOM_NOT_FINITE ? RUN_OVERFLOWED : RUN_FAILED;
+      break;
+    }
+    measure(r, ly);
+    if (i % LOOK_EVERY == 0 && interrupted()) r->end = RUN_INTERRUPTED;
+    if (i == next_row || r->end == RUN_INTERRUPTED) {
+      keep_row(r, ly);
+      next_row = step_of_row(r, r->nrow + 1, steps);
+      r->permille = (int)(1000 * i / steps);
+    }
+  }
+}
+
+/* The whole run with the step r->step, shortened a little where t_end is not a whole number of steps away. */
+static void attempt(run *r, eom_system *sys) {
+  eom_lyapunov_options options = eom_lyapunov_options_default();
+  eom_lyapunov *ly;
+  double y[2 * PENDULUM_MAX_LINKS] = {r->ask.theta0};
+
+  options.scheme = r->ask.scheme;
+  r->step = r->ask.t_end / ceil(r->ask.t_end / r->step * (1.0 - DBL_EPSILON));
+  r->nrow = 0;
+  r->worst_energy_error = 0.0;
+  r->t_orthogonality_lost = -1.0;
+  r->status = eom_lyapunov_create(&ly, sys, &options, 0.0, y, r->step);
+  r->end = RUN_FAILED;
+  if (r->status != EOM_OK) return;
+  advance(r, ly);
+  conclude(r, ly);
+  eom_lyapunov_destroy(ly);
+}
+
+/* The step: what was asked for, or the longest that divides the time from row to row and should keep the energy. */
+static double starting_step(const run_request *ask) {
+  if (ask->step > 0.0) return ask->step;
+  double row = fmin(ask->every, ask->t_end);
+  return row / ceil(row / choose_step(ask));
+}
+
+void run_do(run *r) {
+  struct pendulum p = run_pendulum(r->ask.links);
+  eom_system *sys = NULL;
+
+  r->end = RUN_FAILED;
+  r->status = EOM_NO_MEMORY;
+  r->rows = calloc((size_t)row_count(&r->ask) + 1, (size_t)run_width(r) * sizeof *r->rows);
+  if (r->rows != NULL) r->status = eom_system_create(&sys, &pendulum_model, &p, NULL);
+  if (r->rows != NULL && r->status == EOM_OK) {
+    r->step = starting_step(&r->ask);
+    attempt(r, sys);
+    while (r->end == RUN_COMPLETE && over_bound(r)) {
+      r->step *= shorter_step;
+      attempt(r, sys);
+    }
+    r->report = sys->report;
+  }
+  r->permille = 1000;
+  eom_system_destroy(sys);
+}
+
+void run_free(run *r) {
+  free(r->rows);
+  r->rows = NULL;
+}
+
+void run_complain(const run *r) {
+  char text[2000];
+  if (r->end == RUN_INTERRUPTED) complain("stopped by the user at t = %g s of %g s", r->t, r->ask.t_end);
+  if (r->end == RUN_OVERFLOWED)
+    complain("N = %d: a number overflowed after t = %g s of %g s (|Q'Q-I| = %.1e, |E-E0| = %.1e J); take a shorter --step%s",
+             r->ask.links, r->t, r->ask.t_end, r->orthogonality_error, r->energy_error,
+             r->ask.scheme == EOM_LYAPUNOV_PAPER ? ", or another --scheme" : "");
+  if (r->end != RUN_FAILED) return;
+  complain("N = %d: no result after t = %g s: %s", r->ask.links, r->t, eom_status_text(r->status));
+  eom_report_text(&r->report, text, sizeof text);
+  fputs(text, stderr);
+}

@@ -1,0 +1,166 @@
+/* The paper's Table 1 beside what its own scheme gives and beside the exponents. */
+#include "table1.h"
+
+#include "common/interrupt.h"
+#include "common/message.h"
+#include "common/output.h"
+#include "csv.h"
+#include "figures.h"
+#include "folder.h"
+#include "motion.h"
+#include "workers.h"
+
+#include <math.h>
+
+/* Table 1 as printed in the paper: the maximal exponent for N = 1..6, 1/s. */
+static const double printed[TABLE1_LINKS] = {3e-5, 0.1, 0.8, 1.4, 2.2, 3.1};
+
+/* One row of the table. */
+typedef struct entry {
+  run exponents;       /* re-orthonormalised, with a step that keeps the energy */
+  run paper;           /* eqs 75-80 as printed, with the paper's step */
+  motion paper_motion; /* the trajectory alone with the paper's step */
+} entry;
+
+static void do_run(void *data) { run_do(data); }
+
+static void do_motion(void *data) {
+  entry *e = data;
+  e->paper_motion = motion_do(&e->paper.ask, paper_step, e->paper.ask.t_end, HUGE_VAL);
+}
+
+/* Longest first; a run with tangents costs about as the cube of the number of links. */
+static int list_tasks(entry *entries, int links, task *tasks) {
+  int count = 0;
+  for (int n = links; n >= 1; n--) {
+    run *r = &entries[n - 1].exponents;
+    tasks[count++] = (task){do_run, r, pow(n, 3.0), &r->permille};
+  }
+  for (int n = links; n >= 1; n--) {
+    tasks[count++] = (task){do_run, &entries[n - 1].paper, 0.0, NULL};
+    tasks[count++] = (task){do_motion, &entries[n - 1], 0.0, NULL};
+  }
+  return count;
+}
+
+static double compute(const table1_request *ask, entry *entries) {
+  task tasks[3 * TABLE1_LINKS];
+  for (int n = 1; n <= ask->links; n++) {
+    entry *e = &entries[n - 1];
+    e->exponents.ask = e->paper.ask = ask->each;
+    e->exponents.ask.links = e->paper.ask.links = n;
+    e->paper.ask.scheme = EOM_LYAPUNOV_PAPER;
+    e->paper.ask.step = paper_step;
+  }
+  return do_tasks(tasks, list_tasks(entries, ask->links, tasks), "Table 1");
+}
+
+/* Whether the printed value lies in the interval of the exponent; false where there is no interval. */
+static bool holds(const entry *e) {
+  const run *r = &e->exponents;
+  return r->blocks > 0 && fabs(printed[r->ask.links - 1] - r->mean) <= r->half_width;
+}
+
+static void print_exponents(const entry *e) {
+  const run *r = &e->exponents;
+  printf(" %d   %7g   %9.5f ", r->ask.links, printed[r->ask.links - 1], r->lambda[0]);
+  if (r->blocks > 0)
+    printf("  %8.4f .. %-8.4f", r->mean - r->half_width, r->mean + r->half_width);
+  else
+    printf("  %-20s", "too short a run");
+  printf("  %-8.3g  %.1e   %s\n", r->step, r->worst_energy_error, r->blocks == 0 ? "-" : holds(e) ? "inside" : "outside");
+}
+
+static void print_when(double t) {
+  if (t < 0.0)
+    printf("  %-12s", "never");
+  else
+    printf("  %-12g", t);
+}
+
+static void print_paper(const entry *e) {
+  const run *r = &e->paper;
+  printf(" %d ", r->ask.links);
+  print_when(r->t_orthogonality_lost);
+  print_when(r->end == RUN_OVERFLOWED ? r->t : -1.0);
+  printf("  %-9.3g %8.1e  %8.1e", r->lambda[0], r->orthogonality_error, r->energy_error);
+  const motion *m = &e->paper_motion;
+  printf("     %8.1e", m->worst_energy_error);
+  if (m->status == EOM_NOT_FINITE)
+    printf(", overflows after %g s\n", m->t);
+  else
+    printf(" in %g s\n", m->t);
+}
+
+static void print_tables(const table1_request *ask, const entry *entries) {
+  const run_request *each = &ask->each;
+  printf("Maximal Lyapunov exponent of the planar N-pendulum from its Lagrangian, 1/s; t = %g s\n", each->t_end);
+  printf("m = l = 1, g = 9.81, theta_1(0) = %g deg, all else 0\n\n", each->theta0 * 180.0 / acos(-1.0));
+  printf(" Q re-orthonormalised, step chosen so that |E-E0| stays below %g J\n", energy_bound);
+  printf(" N   Table 1  lambda_1(t)  95 %% interval         step, s   |E-E0|    Table 1 is\n");
+  for (int n = 1; n <= ask->links; n++) print_exponents(&entries[n - 1]);
+  printf("\n The paper's scheme as printed (eqs 75-80, Q never re-orthonormalised) at its stated step of %g s\n", paper_step);
+  printf("    |Q'Q-I| > 1   Q overflows   just before that               the trajectory alone\n");
+  printf(" N  after, s      after, s      lambda_1   |Q'Q-I|   |E-E0|     |E-E0|\n");
+  for (int n = 1; n <= ask->links; n++) print_paper(&entries[n - 1]);
+}
+
+static int write_table(const char *path, const entry *entries, int links) {
+  output o;
+  if (output_open(&o, path) != 0) return -1;
+  fputs("N,table1,lambda_1,interval_mean,interval_half_width,step,energy_error,as_printed_orthogonality_lost,as_printed_end,"
+        "as_printed_lambda_1,as_printed_orthogonality_error,as_printed_energy_error\n",
+        o.file);
+  for (int n = 1; n <= links; n++) {
+    const run *r = &entries[n - 1].exponents, *p = &entries[n - 1].paper;
+    fprintf(o.file, "%d,%g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", n, printed[n - 1], r->lambda[0], r->mean,
+            r->half_width, r->step, r->worst_energy_error, p->t_orthogonality_lost, p->t, p->lambda[0], p->orthogonality_error,
+            p->energy_error);
+  }
+  return output_commit(&o);
+}
+
+static int write_results(const table1_request *ask, const entry *entries) {
+  const run *runs[TABLE1_LINKS], *paper[TABLE1_LINKS];
+  int status = 0;
+  for (int i = 0; i < ask->links; i++) runs[i] = &entries[i].exponents, paper[i] = &entries[i].paper;
+  if (ask->csv != NULL && write_table(ask->csv, entries, ask->links) != 0) status = -1;
+  if (ask->plot != NULL && figure_maximal(ask->plot, runs, ask->links) != 0) status = -1;
+  if (ask->figures != NULL && folder_write(ask->figures, runs, paper, ask->links) != 0) status = -1;
+  return status;
+}
+
+/* What the numbers say; all of it follows from the entries. */
+static void print_reading(const entry *entries, int links) {
+  (void)entries;
+  (void)links;
+}
+
+static int conclusion(const entry *entries, int links) {
+  int status = EXIT_DONE;
+  for (int i = 0; i < links; i++) {
+    const run *r = &entries[i].exponents;
+    if (r->end == RUN_FAILED || r->end == RUN_OVERFLOWED) {
+      run_complain(r);
+      status = EXIT_FAILED;
+    }
+  }
+  if (!interrupted()) return status;
+  complain("stopped by the user; the table holds what there was by then");
+  return EXIT_INTERRUPTED;
+}
+
+int table1(const table1_request *ask) {
+  entry entries[TABLE1_LINKS] = {0};
+  double seconds = compute(ask, entries);
+  print_tables(ask, entries);
+  print_reading(entries, ask->links);
+  printf("\n%.0f s of computing\n", seconds);
+  int status = conclusion(entries, ask->links);
+  if (write_results(ask, entries) != 0) status = EXIT_FAILED;
+  for (int i = 0; i < ask->links; i++) {
+    run_free(&entries[i].exponents);
+    run_free(&entries[i].paper);
+  }
+  return status;
+}
