@@ -35,7 +35,10 @@ void eom_stage_seed(eom_system *sys, eom_stage_id id, const tl_real *q, const tl
 eom_status eom_stage_run(eom_system *sys, const eom_function *function) {
   eom_workspace *ws = sys->workspace;
   function->jet(&ws->cx, ws->jet_out, ws->jet_q, ws->jet_qd, ws->jet_t, sys->params);
-  const tl_status jet = ws->cx.status;
+  return eom_jet_verdict(sys, function, ws->cx.status);
+}
+
+eom_status eom_jet_verdict(eom_system *sys, const eom_function *function, tl_status jet) {
   if (jet.bits == TL_OK) return EOM_OK;
   eom_report *r = &sys->report;
   r->status = (jet.bits & TL_NO_SPACE) ? EOM_NO_MEMORY : (jet.bits & (TL_DOMAIN | TL_SINGULAR)) ? EOM_DOMAIN : EOM_NOT_FINITE;

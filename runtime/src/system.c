@@ -16,7 +16,10 @@ eom_options eom_options_default(void) {
 
 /* ---- memory ---- */
 
-#define EOM_ALIGNMENT 64 /* a cache line, and any vector register */
+eom_arena eom_arena_at(void *memory) {
+  const size_t off = (uintptr_t)memory % EOM_ALIGNMENT;
+  return (eom_arena){.base = (char *)memory + (off ? EOM_ALIGNMENT - off : 0)};
+}
 
 void *eom_arena_take(eom_arena *arena, size_t count, size_t size) {
   const size_t start = (arena->used + EOM_ALIGNMENT - 1) / EOM_ALIGNMENT * EOM_ALIGNMENT;
@@ -271,8 +274,7 @@ eom_status eom_system_init(eom_system *sys, const eom_model *model, const void *
   if (status != EOM_OK) return status;
   const size_t need = eom_system_bytes(model, params, options);
   if (need == 0 || bytes < need || !memory) return EOM_NO_MEMORY;
-  const size_t off = (uintptr_t)memory % EOM_ALIGNMENT;
-  eom_arena arena = {.base = (char *)memory + (off ? EOM_ALIGNMENT - off : 0)};
+  eom_arena arena = eom_arena_at(memory);
   memset(memory, 0, bytes);
   if (!lay_out(sys, &ws, &arena)) return EOM_NO_MEMORY;
   sys->workspace = ws;

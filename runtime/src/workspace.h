@@ -76,6 +76,11 @@ typedef struct eom_arena {
   bool overflow;
 } eom_arena;
 
+#define EOM_ALIGNMENT 64 /* a cache line, and any vector register */
+
+/* An arena at the first aligned place of memory: needs EOM_ALIGNMENT bytes more than what will be taken. */
+eom_arena eom_arena_at(void *memory);
+
 void *eom_arena_take(eom_arena *arena, size_t count, size_t size);
 
 /* A tl_real vector of count numbers. */

@@ -30,16 +30,16 @@ eom_lyapunov_options eom_lyapunov_options_default(void);
 typedef struct eom_lyapunov {
   eom_system *sys;
   eom_lyapunov_options options;
-  eom_integrator it; /* state (y, Q, rho, divergence), or (y, P, divergence) for DISCRETE */
+  eom_integrator it; /* of (y, P, divergence) for DISCRETE, of (y, Q, rho, divergence) otherwise */
   int dim;           /* 2n */
 
-  tl_real t0; /* s */
-  tl_real t;  /* s; t_rho where rho stands: the same unless DISCRETE with every > 1 */
-  tl_real t_rho;
-  const tl_real *y;        /* 2n: q, qd now */
-  const tl_real *Q;        /* 2n x 2n, directions in columns; between two QRs of DISCRETE the tangent map since the last */
+  tl_real t0;              /* s */
+  tl_real t;               /* s: time of y and energy */
+  tl_real t_rho;           /* s: time of Q, rho and divergence; behind t only for DISCRETE with every > 1 */
+  const tl_real *y;        /* 2n: q, qd */
+  tl_real *Q;              /* 2n x 2n: the directions, in columns */
   tl_real *rho;            /* 2n */
-  tl_real divergence;      /* integral of trace F from t0 to t: what the rho must sum to */
+  tl_real divergence;      /* integral of trace F from t0: what the rho must sum to */
   tl_real energy0, energy; /* at t0 and t, J */
 
   /* blocks of equal time for the intervals */
@@ -49,9 +49,7 @@ typedef struct eom_lyapunov {
   tl_real *block;       /* EOM_LYAPUNOV_BLOCKS x 2n: rho gained in each block */
   tl_real *block_start; /* 2n: rho at the start of the block under way */
 
-  tl_real *work; /* private */
-  tl_real *seen; /* private */
-  int seen_valid;
+  struct eom_lyapunov_work *work; /* private */
 } eom_lyapunov;
 
 /* Bytes of memory that eom_lyapunov_init needs. */
@@ -74,8 +72,8 @@ eom_status eom_lyapunov_step(eom_lyapunov *ly);
 /* lambda_i = rho_i/(t_rho - t0) in the order of the directions; not sorted. lambda: 2n; zeros at t0. */
 void eom_lyapunov_exponents(const eom_lyapunov *ly, tl_real *lambda);
 
-/* Checks. max |Q'Q - I| (of the last QR for DISCRETE); |sum rho - divergence|/(t_rho - t0), 1/s, NaN-free: 0 at t0;
- * max |lambda_i + lambda_(2n+1-i)| of the sorted spectrum, 1/s (zero for a conservative unconstrained system as t grows). */
+/* Checks: max |Q'Q - I|; |sum rho - divergence|/(t_rho - t0), 1/s, 0 at t0; max |lambda_i + lambda_(2n+1-i)| of the sorted spectrum,
+ * 1/s, which falls to zero with time for a conservative system without constraints. TL_MAX stands for an overflow. */
 tl_real eom_lyapunov_orthogonality(const eom_lyapunov *ly);
 tl_real eom_lyapunov_sum_error(const eom_lyapunov *ly);
 tl_real eom_lyapunov_pairing_error(const eom_lyapunov *ly);

@@ -23,12 +23,12 @@ typedef struct eom_function {
 
 typedef struct eom_model {
   const char *name;
-  int (*dof)(const void *params); /* n, the number of generalized coordinates */
-  size_t params_size;             /* bytes of the parameter struct, 0 where there is none */
-  eom_function lagrangian;        /* L(q,qd,t), one row, J */
-  eom_function force;             /* generalized force, n rows; jet null where there is none */
-  const eom_function *holonomic;  /* phi(q,t) = 0 */
-  int nholonomic;                 /* functions, not rows */
+  int (*dof)(const void *params);   /* n, the number of generalized coordinates */
+  size_t params_size;               /* bytes of the parameter struct, 0 where there is none */
+  eom_function lagrangian;          /* L(q,qd,t), one row, J */
+  eom_function force;               /* generalized force, n rows; jet null where there is none */
+  const eom_function *holonomic;    /* phi(q,t) = 0 */
+  int nholonomic;                   /* functions, not rows */
   const eom_function *nonholonomic; /* psi(q,qd,t) = 0 */
   int nnonholonomic;
 } eom_model;
