@@ -5,6 +5,10 @@ void tl_row_zero(int n, tl_real *c) {
   for (int i = 0; i < n; i++) c[i] = TL_C(0.0);
 }
 
+void tl_row_scale(int n, tl_real *c, tl_real x) {
+  for (int i = 0; i < n; i++) c[i] *= x;
+}
+
 void tl_row_divide(int n, tl_real *c, tl_real d) {
   for (int i = 0; i < n; i++) c[i] /= d;
 }

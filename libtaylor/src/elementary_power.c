@@ -2,24 +2,6 @@
 #include "block.h"
 #include "taylor/elementary.h"
 
-/* r^2 = a:  2 r_0 r_B = a_B - sum_{B1,B2>0} r_B1 r_B2. */
-void tl_sqrt(tl_ctx *cx, tl_real *c, const tl_real *a) {
-  const tl_shape *s = cx->shape;
-  if (!tl_accept(cx, c, a[0], TL_FN_sqrt)) return;
-  if (a[0] < TL_C(0.0) || (a[0] == TL_C(0.0) && s->degree > 0)) {
-    tl_reject(cx, c, a[0] < TL_C(0.0) ? TL_DOMAIN : TL_SINGULAR, TL_FN_sqrt);
-    return;
-  }
-  const tl_real *x = tl_unaliased(cx, a, c, 0);
-  c[0] = TL_LIBM(sqrt)(x[0]);
-  for (tl_block b = tl_first_block(s); b.n; b = tl_next_block(s, b)) {
-    for (int i = 0; i < b.n; i++) c[b.at + i] = x[b.at + i];
-    tl_add_interior(s, b, c + b.at, (tl_factor){.z = -TL_C(1.0)}, c, c);
-    tl_row_divide(b.n, c + b.at, TL_C(2.0) * c[0]);
-  }
-  tl_check(cx, c, TL_FN_sqrt);
-}
-
 /* c = value (a/a_0)^(p/q): the power recurrence on a brought to the size of 1, since only ratios of its coefficients enter. a_0 not 0.
  */
 static void power_by_recurrence(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real value, tl_real p, tl_real q, tl_fn function) {
@@ -29,6 +11,31 @@ static void power_by_recurrence(tl_ctx *cx, tl_real *c, const tl_real *a, tl_rea
   c[0] = value;
   tl_power_blocks(cx->shape, c, p, q, x);
   tl_check(cx, c, function);
+}
+
+/* r^2 = a:  2 r_0 r_B = a_B - sum_{B1,B2>0} r_B1 r_B2. At both ends of the range of numbers the sum overflows or
+ * loses digits before the division brings it back; there the power recurrence on a scaled jet serves. */
+static void sqrt_blocks(const tl_shape *s, tl_real *c, const tl_real *a) {
+  for (tl_block b = tl_first_block(s); b.n; b = tl_next_block(s, b)) {
+    for (int i = 0; i < b.n; i++) c[b.at + i] = a[b.at + i];
+    tl_add_interior(s, b, c + b.at, (tl_factor){.z = -TL_C(1.0)}, c, c);
+    tl_row_divide(b.n, c + b.at, TL_C(2.0) * c[0]);
+  }
+}
+
+void tl_sqrt(tl_ctx *cx, tl_real *c, const tl_real *a) {
+  const tl_real value = TL_LIBM(sqrt)(a[0]);
+  if (!tl_accept(cx, c, a[0], TL_FN_sqrt)) return;
+  if (a[0] < TL_C(0.0) || (a[0] == TL_C(0.0) && cx->shape->degree > 0)) {
+    tl_reject(cx, c, a[0] < TL_C(0.0) ? TL_DOMAIN : TL_SINGULAR, TL_FN_sqrt);
+  } else if (a[0] != TL_C(0.0) && (a[0] > TL_MAX * TL_EPSILON || a[0] < TL_MIN / TL_EPSILON)) {
+    power_by_recurrence(cx, c, a, value, TL_C(1.0), TL_C(2.0), TL_FN_sqrt);
+  } else {
+    const tl_real *x = tl_unaliased(cx, a, c, 0);
+    c[0] = value;
+    sqrt_blocks(cx->shape, c, x);
+    tl_check(cx, c, TL_FN_sqrt);
+  }
 }
 
 void tl_cbrt(tl_ctx *cx, tl_real *c, const tl_real *a) {

@@ -94,15 +94,40 @@ static void divide_blocks(const tl_shape *s, tl_real *c, const tl_real *a, const
   }
 }
 
+/* Near the ends of the range of numbers the terms of the sum could overflow or lose digits although the quotient does not. */
+static int is_extreme(tl_real x) {
+  const tl_real size = TL_LIBM(fabs)(x);
+  return size > TL_MAX * TL_EPSILON || (size < TL_MIN / TL_EPSILON && size > TL_C(0.0));
+}
+
+/* c = a/b with both brought to about 1 by powers of two. */
+static void divide_scaled(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
+  const int n = cx->shape->ncoef;
+  tl_real *x = tl_scratch(cx, 0), *y = tl_scratch(cx, 1);
+  const tl_real scale_a = tl_normaliser(a[0]), scale_b = tl_normaliser(b[0]), value = a[0] / b[0];
+  for (int i = 0; i < n; i++) {
+    x[i] = scale_a * a[i];
+    y[i] = scale_b * b[i];
+  }
+  c[0] = x[0] / y[0];
+  divide_blocks(cx->shape, c, x, y);
+  tl_row_scale(n, c, scale_b / scale_a);
+  c[0] = value;
+}
+
 void tl_div(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
   if (!tl_accept(cx, c, a[0], TL_FN_div) || !tl_accept(cx, c, b[0], TL_FN_div)) return;
   if (b[0] == TL_C(0.0)) {
     tl_reject(cx, c, TL_DOMAIN, TL_FN_div);
     return;
   }
-  const tl_real *divisor = tl_unaliased(cx, b, c, 0);
-  c[0] = a[0] / divisor[0];
-  divide_blocks(cx->shape, c, b == a ? divisor : a, divisor);
+  if (is_extreme(a[0]) || is_extreme(b[0])) {
+    divide_scaled(cx, c, a, b);
+  } else {
+    const tl_real *divisor = tl_unaliased(cx, b, c, 0);
+    c[0] = a[0] / divisor[0];
+    divide_blocks(cx->shape, c, b == a ? divisor : a, divisor);
+  }
   tl_check(cx, c, TL_FN_div);
 }
 

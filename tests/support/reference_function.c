@@ -1,0 +1,365 @@
+/* Taylor coefficients of the elementary functions by differences in very high precision. */
+#include "reference_function.h"
+
+#include <assert.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* Distances to the nearest complex singularity. */
+static double everywhere(double x, double y) { return (void)x, (void)y, 1.0; }
+static double to_zero(double x, double y) { return (void)y, fabs(x); }
+static double y_to_zero(double x, double y) { return (void)x, fabs(y); }
+static double to_minus_one(double x, double y) { return (void)y, 1.0 + x; }
+static double to_ends(double x, double y) { return (void)y, 1.0 - fabs(x); }
+static double to_one(double x, double y) { return (void)y, x - 1.0; }
+static double to_i(double x, double y) { return (void)y, fmax(1.0, fabs(x)); }
+static double to_pole(double x, double y) { return (void)y, fabs(cos(x)); }
+static double to_origin(double x, double y) { return fmax(fabs(x), fabs(y)); }
+/* For atan2(x, y), whose cut x = 0, y < 0 the differences must not cross. */
+static double to_cut(double x, double y) { return y < 0.0 && fabs(x) < 0x1p-90 * fabs(y) ? 0.0 : to_origin(x, y); }
+static double gauss_width(double x, double y) { return (void)y, 1.0 / fmax(1.0, fabs(x)); }
+static double exponent_width(double x, double y) { return (void)y, 1.0 / (1.0 + fabs(log(x))); }
+
+/* Bits between the value and the much smaller derivatives. */
+static double tanh_bits(double x, double y) { return (void)y, 3.0 * fabs(x); }
+static double erf_bits(double x, double y) { return (void)y, 1.5 * x * x; }
+
+#define END ((double)NAN)
+#define EITHER(lo, hi) {0.0, 0, lo, hi}
+#define ABOVE(anchor, lo, hi) {anchor, 1, lo, hi}
+#define BELOW(anchor, lo, hi) {anchor, -1, lo, hi}
+#define AROUND(anchor, lo, hi) {anchor, 0, lo, hi}
+#define PI 3.14159265358979323846
+
+const ref_function ref_functions[] = {
+    {.name = "sqrt",
+     .one = mpfr_sqrt,
+     .reach = to_zero,
+     .x = {ABOVE(0, -1021, 1023), ABOVE(0, -8, 8)},
+     .hard = {1, 4, 0x1p-1022, 0x1.fffffffffffffp1023, END}},
+    {.name = "cbrt",
+     .one = mpfr_cbrt,
+     .reach = to_zero,
+     .x = {EITHER(-1021, 1023), EITHER(-8, 8)},
+     .hard = {1, -8, 27, 0x1p-1022, 0x1.fffffffffffffp1023, END}},
+    {.name = "exp", .one = mpfr_exp, .reach = everywhere, .x = {EITHER(-60, 9.4), EITHER(-3, 3)}, .hard = {0, 709.5, -700, 1, END}},
+    {.name = "expm1",
+     .one = mpfr_expm1,
+     .reach = everywhere,
+     .x = {EITHER(-1000, 9.4), EITHER(-3, 3)},
+     .hard = {0, 709.5, -700, 1e-300, -1e-17, END}},
+    {.name = "exp2", .one = mpfr_exp2, .reach = everywhere, .x = {EITHER(-60, 9.9), EITHER(-3, 3)}, .hard = {0, 1023.5, -1000, 1, END}},
+    {.name = "log",
+     .one = mpfr_log,
+     .reach = to_zero,
+     .x = {ABOVE(0, -1021, 1023), ABOVE(0, -8, 8), AROUND(1, -52, -1)},
+     .hard = {1, 0x1p-1022, 0x1.fffffffffffffp1023, END}},
+    {.name = "log1p",
+     .one = mpfr_log1p,
+     .reach = to_minus_one,
+     .x = {ABOVE(0, -1021, 1023), AROUND(0, -60, -1), ABOVE(-1, -52, 0)},
+     .hard = {0, -0.5, 1e-300, -1e-17, 0x1.fffffffffffffp1023, END}},
+    {.name = "log2",
+     .one = mpfr_log2,
+     .reach = to_zero,
+     .x = {ABOVE(0, -1021, 1023), ABOVE(0, -8, 8), AROUND(1, -52, -1)},
+     .hard = {1, 2, 0x1p-1022, 0x1.fffffffffffffp1023, END}},
+    {.name = "log10",
+     .one = mpfr_log10,
+     .reach = to_zero,
+     .x = {ABOVE(0, -1021, 1023), ABOVE(0, -8, 8), AROUND(1, -52, -1)},
+     .hard = {1, 10, 0x1p-1022, 0x1.fffffffffffffp1023, END}},
+    {.name = "sin",
+     .one = mpfr_sin,
+     .reach = everywhere,
+     .x = {EITHER(-1000, 1000), EITHER(-8, 8), AROUND(PI, -50, 0)},
+     .hard = {0, PI, PI / 2, 1e22, 1e300, 1e-300, END}},
+    {.name = "cos",
+     .one = mpfr_cos,
+     .reach = everywhere,
+     .x = {EITHER(-1000, 1000), EITHER(-8, 8), AROUND(PI / 2, -50, 0)},
+     .hard = {0, PI, PI / 2, 1e22, 1e300, 1e-300, END}},
+    {.name = "tan",
+     .one = mpfr_tan,
+     .reach = to_pole,
+     .x = {EITHER(-1000, 1000), EITHER(-8, 4), AROUND(PI / 2, -50, 0)},
+     .hard = {0, PI, PI / 2, 1e22, 1e300, 1e-300, END}},
+    {.name = "asin",
+     .one = mpfr_asin,
+     .reach = to_ends,
+     .x = {EITHER(-1000, -1), BELOW(1, -52, 0), ABOVE(-1, -52, 0)},
+     .hard = {0, 0.5, 0x1.fffffffffffffp-1, 1e-300, END}},
+    {.name = "acos",
+     .one = mpfr_acos,
+     .reach = to_ends,
+     .x = {EITHER(-1000, -1), BELOW(1, -52, 0), ABOVE(-1, -52, 0)},
+     .hard = {0, 0.5, 0x1.fffffffffffffp-1, 1e-300, END}},
+    {.name = "atan",
+     .one = mpfr_atan,
+     .reach = to_i,
+     .x = {EITHER(-1000, 1000), EITHER(-8, 8)},
+     .hard = {0, 1, -1, 1e-300, 1e300, 0x1.fffffffffffffp1023, END}},
+    {.name = "sinh",
+     .one = mpfr_sinh,
+     .reach = everywhere,
+     .x = {EITHER(-1000, 9.4), EITHER(-3, 3)},
+     .hard = {0, 1e-300, 710, -710, END}},
+    {.name = "cosh",
+     .one = mpfr_cosh,
+     .reach = everywhere,
+     .x = {EITHER(-1000, 9.4), EITHER(-3, 3)},
+     .hard = {0, 1e-300, 710, -710, END}},
+    {.name = "tanh",
+     .one = mpfr_tanh,
+     .reach = everywhere,
+     .digits = tanh_bits,
+     .x = {EITHER(-1000, 8.4), EITHER(-3, 3)},
+     .hard = {0, 1e-300, 20, 340, END}},
+    {.name = "asinh",
+     .one = mpfr_asinh,
+     .reach = to_i,
+     .x = {EITHER(-1000, 1000), EITHER(-8, 8)},
+     .hard = {0, 1, 1e-300, 1e300, 0x1.fffffffffffffp1023, END}},
+    {.name = "acosh",
+     .one = mpfr_acosh,
+     .reach = to_one,
+     .x = {ABOVE(1, -52, 1000), ABOVE(1, -8, 8)},
+     .hard = {0x1.0000000000001p0, 1.5, 2, 1e300, 0x1.fffffffffffffp1023, END}},
+    {.name = "atanh",
+     .one = mpfr_atanh,
+     .reach = to_ends,
+     .x = {EITHER(-1000, -1), BELOW(1, -52, 0), ABOVE(-1, -52, 0)},
+     .hard = {0, 0.5, 0x1.fffffffffffffp-1, 1e-300, END}},
+    {.name = "erf",
+     .one = mpfr_erf,
+     .reach = gauss_width,
+     .digits = erf_bits,
+     .x = {EITHER(-1000, 4.7), EITHER(-3, 3)},
+     .hard = {0, 1e-300, 6, 26, END}},
+    {.name = "mul",
+     .two = mpfr_mul,
+     .reach = everywhere,
+     .reach_y = everywhere,
+     .x = {EITHER(-200, 200), EITHER(-2, 2)},
+     .y = {EITHER(-200, 200), EITHER(-2, 2)},
+     .hard = {0, 1, END}},
+    {.name = "div",
+     .two = mpfr_div,
+     .reach = everywhere,
+     .reach_y = y_to_zero,
+     .x = {EITHER(-100, 100), EITHER(-2, 2)},
+     .y = {EITHER(-100, 100), EITHER(-2, 2)},
+     .hard = {0, 1, END}},
+    {.name = "pow",
+     .two = mpfr_pow,
+     .reach = to_zero,
+     .reach_y = exponent_width,
+     .x = {ABOVE(0, -100, 100), ABOVE(0, -2, 2)},
+     .y = {EITHER(-20, 2), EITHER(-2, 2)},
+     .hard = {1, 2, END}},
+    {.name = "hypot",
+     .two = mpfr_hypot,
+     .reach = to_origin,
+     .reach_y = to_origin,
+     .x = {EITHER(-300, 300), EITHER(-8, 8), EITHER(1020, 1022)},
+     .y = {EITHER(-300, 300), EITHER(-8, 8)},
+     .hard = {1e300, 1e-300, END}},
+    {.name = "atan2",
+     .two = mpfr_atan2,
+     .reach = to_cut,
+     .reach_y = to_origin,
+     .x = {EITHER(-300, 300), EITHER(-8, 8), EITHER(1020, 1022)},
+     .y = {EITHER(-300, 300), EITHER(-8, 8)},
+     .hard = {1e300, 1e-300, END}},
+};
+const int ref_nfunctions = (int)(sizeof ref_functions / sizeof *ref_functions);
+
+const ref_function *ref_lookup(const char *name) {
+  for (int i = 0; i < ref_nfunctions; i++)
+    if (strcmp(ref_functions[i].name, name) == 0) return &ref_functions[i];
+  return NULL;
+}
+
+static double draw_from(const ref_region *region, rng *r) {
+  int n = 0;
+  while (n < 4 && region[n].lo < region[n].hi) n++;
+  if (n == 0) return 0.0;
+  region += rng_below(r, n);
+  const double side = region->side ? (double)region->side : rng_sign(r);
+  return region->anchor + side * rng_exponent(r, region->lo, region->hi);
+}
+
+void ref_draw(const ref_function *f, rng *r, double *x, double *y) {
+  int n = 0;
+  while (!isnan(f->hard[n])) n++;
+  do { /* rounding may put a point on a singularity */
+    *x = rng_below(r, 16) == 0 ? f->hard[rng_below(r, n)] : draw_from(f->x, r);
+    *y = draw_from(f->y, r);
+  } while (!(f->reach(*x, *y) > 0.0) || (f->two && !(f->reach_y(*x, *y) > 0.0)));
+}
+
+/* Differences on the nodes -NODES..NODES times the step: coefficient k of the interpolating polynomial is
+ * step^-k sum_j value_j weight[j][k], weight[j] the coefficients of the Lagrange polynomial prod_{i != j} (u - i)/(j - i). Its error is
+ * of relative size (step/reach)^2, far below the last bit of a double. */
+enum { NODES = 3, NVALUE = 2 * NODES + 1, STEP_BITS = 100, GUARD_BITS = 400, NOISE_BITS = 60 };
+
+static void lagrange(int j, long *numerator, long *denominator) {
+  memset(numerator, 0, NVALUE * sizeof *numerator);
+  numerator[0] = *denominator = 1;
+  for (int i = -NODES, degree = 0; i <= NODES; i++) {
+    if (i == j) continue;
+    degree++;
+    for (int k = degree; k >= 0; k--) numerator[k] = (k > 0 ? numerator[k - 1] : 0) - i * numerator[k];
+    *denominator *= j - i;
+  }
+}
+
+/* c = 0 where it is nothing but rounding: sums of numbers up to size in this precision. */
+static void drop_noise(mpfr_t c, const mpfr_t size, mpfr_prec_t precision) {
+  if (mpfr_zero_p(c) || mpfr_zero_p(size)) return;
+  if (mpfr_get_exp(c) < mpfr_get_exp(size) - (mpfr_exp_t)precision + NOISE_BITS) mpfr_set_zero(c, 1);
+}
+
+/* c[k] = coefficient k of the polynomial through value[], for step 2^step. */
+static void interpolate(mpfr_t *c, int degree, mpfr_t *value, long step, mpfr_prec_t precision) {
+  long numerator[NVALUE], denominator;
+  mpfr_t term, size;
+  mpfr_inits2(precision, term, size, (mpfr_ptr)0);
+  mpfr_set_zero(size, 1);
+  for (int k = 0; k <= degree; k++) mpfr_set_zero(c[k], 1);
+  for (int j = 0; j < NVALUE; j++) {
+    if (mpfr_cmpabs(value[j], size) > 0) mpfr_set(size, value[j], MPFR_RNDN);
+    lagrange(j - NODES, numerator, &denominator);
+    for (int k = 0; k <= degree; k++) {
+      mpfr_mul_si(term, value[j], numerator[k], MPFR_RNDN);
+      mpfr_div_si(term, term, denominator, MPFR_RNDN);
+      mpfr_add(c[k], c[k], term, MPFR_RNDN);
+    }
+  }
+  for (int k = 0; k <= degree; k++) {
+    drop_noise(c[k], size, precision);
+    mpfr_mul_2si(c[k], c[k], -k * step, MPFR_RNDN);
+  }
+  mpfr_clears(term, size, (mpfr_ptr)0);
+}
+
+static long exponent_of(double x) { return x == 0.0 ? 0 : ilogb(x); }
+static long step_of(double reach) { return exponent_of(reach) - STEP_BITS; }
+
+/* Bits so that the highest difference keeps GUARD_BITS: powers of the step, and the distance in size between argument and reach. */
+static mpfr_prec_t precision_for(double x, double reach, double extra) {
+  return (mpfr_prec_t)((NVALUE + 1) * STEP_BITS + GUARD_BITS + labs(exponent_of(x)) + labs(exponent_of(x) - exponent_of(reach)) +
+                       (long)extra);
+}
+
+static void init_all(mpfr_t *v, int n, mpfr_prec_t precision) {
+  for (int i = 0; i < n; i++) mpfr_init2(v[i], precision);
+}
+
+static void clear_all(mpfr_t *v, int n) {
+  for (int i = 0; i < n; i++) mpfr_clear(v[i]);
+}
+
+static void node(mpfr_t at, double x, int j, long step) {
+  mpfr_set_si_2exp(at, j, step, MPFR_RNDN);
+  mpfr_add_d(at, at, x, MPFR_RNDN);
+}
+
+static void taylor_one(const ref_function *function, double x, int degree, mpfr_t *f) {
+  const double reach = function->reach(x, 0.0), extra = function->digits ? function->digits(x, 0.0) : 0.0;
+  const long step = step_of(reach);
+  const mpfr_prec_t precision = precision_for(x, reach, extra);
+  mpfr_t at, value[NVALUE], c[NVALUE];
+  mpfr_init2(at, precision);
+  init_all(value, NVALUE, precision);
+  init_all(c, NVALUE, precision);
+  for (int j = 0; j < NVALUE; j++) {
+    node(at, x, j - NODES, step);
+    function->one(value[j], at, MPFR_RNDN);
+  }
+  interpolate(c, degree, value, step, precision);
+  for (int i = 0; i <= degree; i++)
+    for (int j = 0; j <= degree; j++) mpfr_set_zero(f[i * (degree + 1) + j], 1);
+  for (int i = 0; i <= degree; i++) mpfr_set(f[i * (degree + 1)], c[i], MPFR_RNDN);
+  clear_all(c, NVALUE);
+  clear_all(value, NVALUE);
+  mpfr_clear(at);
+}
+
+static void taylor_two(const ref_function *function, double x, double y, int degree, mpfr_t *f) {
+  const double reach = function->reach(x, y), reach_y = function->reach_y(x, y);
+  const long step = step_of(reach), step_y = step_of(reach_y);
+  const mpfr_prec_t precision = precision_for(x, reach, 0.0) + precision_for(y, reach_y, 0.0);
+  mpfr_t at, at_y, value[NVALUE], along_y[NVALUE][NVALUE], c[NVALUE];
+  mpfr_inits2(precision, at, at_y, (mpfr_ptr)0);
+  init_all(value, NVALUE, precision);
+  init_all(c, NVALUE, precision);
+  for (int i = 0; i < NVALUE; i++) { /* along_y[i][l]: coefficient l in y at node i of x */
+    init_all(along_y[i], NVALUE, precision);
+    node(at, x, i - NODES, step);
+    for (int j = 0; j < NVALUE; j++) {
+      node(at_y, y, j - NODES, step_y);
+      function->two(value[j], at, at_y, MPFR_RNDN);
+    }
+    interpolate(along_y[i], degree, value, step_y, precision);
+  }
+  for (int l = 0; l <= degree; l++) {
+    for (int i = 0; i < NVALUE; i++) mpfr_set(value[i], along_y[i][l], MPFR_RNDN);
+    interpolate(c, degree, value, step, precision);
+    for (int i = 0; i <= degree; i++) mpfr_set(f[i * (degree + 1) + l], c[i], MPFR_RNDN);
+  }
+  for (int i = 0; i < NVALUE; i++) clear_all(along_y[i], NVALUE);
+  clear_all(c, NVALUE);
+  clear_all(value, NVALUE);
+  mpfr_clears(at, at_y, (mpfr_ptr)0);
+}
+
+void ref_taylor(const ref_function *function, double x, double y, int degree, mpfr_t *f) {
+  assert(degree <= REF_MAX_DEGREE);
+  if (function->one)
+    taylor_one(function, x, degree, f);
+  else
+    taylor_two(function, x, y, degree, f);
+}
+
+/* The coefficients of df/dx (variable 0) or df/dy (1) from those of f. */
+static void differentiate(mpfr_t *d, mpfr_t *f, int degree, int variable) {
+  const int n = degree + 1;
+  for (int i = 0; i <= degree; i++)
+    for (int j = 0; j <= degree; j++) {
+      const int up = variable == 0 ? i + 1 : j + 1;
+      const int from = variable == 0 ? (i + 1) * n + j : i * n + j + 1;
+      if (i + j < degree)
+        mpfr_mul_si(d[i * n + j], f[from], up, MPFR_RNDN);
+      else
+        mpfr_set_zero(d[i * n + j], 1);
+    }
+}
+
+void ref_apply(const ref_function *function, const ref_shape *s, ref_jet *result, ref_jet *size, const double *a, const double *b) {
+  enum { N = (REF_MAX_DEGREE + 1) * (REF_MAX_DEGREE + 1) };
+  const int degree = s->degree + 1; /* one more, for the derivatives */
+  mpfr_t f[N], d[N];
+  ref_jet x = ref_new(s), y = ref_new(s), slope = ref_new(s);
+  init_all(f, N, REF_PRECISION);
+  init_all(d, N, REF_PRECISION);
+  ref_set(&x, a);
+  if (b) ref_set(&y, b);
+  ref_taylor(function, a[0], b ? b[0] : 0.0, degree, f);
+  ref_compose2(s, result, &x, &y, f, degree);
+  for (int i = 0; i < size->n; i++) mpfr_set_zero(size->c[i], 1);
+  differentiate(d, f, degree, 0);
+  ref_compose2(s, &slope, &x, &y, d, degree);
+  ref_add_sensitivity(s, size, &x, &slope);
+  if (b) {
+    differentiate(d, f, degree, 1);
+    ref_compose2(s, &slope, &x, &y, d, degree);
+    ref_add_sensitivity(s, size, &y, &slope);
+  }
+  clear_all(f, N);
+  clear_all(d, N);
+  ref_free(&x);
+  ref_free(&y);
+  ref_free(&slope);
+}
