@@ -1,0 +1,327 @@
+// Activity by unification and a fixed point over each function.
+#include "Activity.h"
+#include "PrintC.h"
+
+#include <cassert>
+#include <functional>
+#include <set>
+
+namespace tlgen {
+
+// Pointer members have places of their own; all other members share the struct's.
+static bool throughField(const Type *t) {
+  while (t->kind == Type::Array) t = t->element;
+  return t->kind == Type::Pointer;
+}
+
+Place *find(Place *p) {
+  while (p->parent) p = p->parent;
+  return p;
+}
+
+bool Variant::active(const Variable *v) const {
+  auto it = places.find(v);
+  if (it == places.end()) return false;
+  const Place *p = find(it->second);
+  for (const Type *t = v->type; t->kind == Type::Pointer || t->kind == Type::Array; t = t->element) {
+    if (t->kind != Type::Pointer) continue;
+    if (!p->target) return false;
+    p = find(p->target);
+  }
+  return p->active;
+}
+
+Place *Variant::place(const Expr *e) const {
+  switch (e->kind) {
+  case Expr::Ref: {
+    auto it = places.find(e->var);
+    return it == places.end() ? nullptr : find(it->second);
+  }
+  case Expr::Index:
+  case Expr::Deref: return target(e->args[0]);
+  case Expr::Member: {
+    Place *base = e->arrow ? target(e->args[0]) : place(e->args[0]);
+    if (!base || !throughField(e->type)) return base;
+    auto it = base->fields.find(e->text);
+    return it == base->fields.end() ? nullptr : find(it->second);
+  }
+  case Expr::Assign:
+  case Expr::Step: return place(e->args[0]);
+  default: return nullptr;
+  }
+}
+
+Place *Variant::target(const Expr *e) const {
+  switch (e->kind) {
+  case Expr::Decay:
+  case Expr::AddressOf: return place(e->args[0]);
+  case Expr::Binary: return target(e->args[e->args[0]->type->kind == Type::Pointer ? 0 : 1]);
+  case Expr::Conditional: return target(e->args[1]);
+  case Expr::Comma: return target(e->args[1]);
+  case Expr::Cast: return target(e->args[0]);
+  default: {
+    Place *p = place(e);
+    return p && p->target ? find(p->target) : nullptr;
+  }
+  }
+}
+
+bool Variant::pointsToActive(const Expr *e) const {
+  const Place *p = target(e);
+  for (const Type *t = e->type->element; p && t->kind != Type::Real && t->kind != Type::Struct; t = t->element) {
+    if (t->kind != Type::Pointer && t->kind != Type::Array) return false;
+    if (t->kind == Type::Pointer) p = p->target ? find(p->target) : nullptr;
+  }
+  return p && p->active;
+}
+
+bool Variant::varied(const Expr *e) const {
+  if (e->kind == Expr::InitList) {
+    for (const Expr *item : e->args)
+      if (item && varied(item)) return true;
+    return false;
+  }
+  if (e->type->kind != Type::Real && e->type->kind != Type::Struct) return false;
+  switch (e->kind) {
+  case Expr::Literal: return false;
+  case Expr::Call: {
+    auto it = callees.find(e);
+    return it != callees.end() && find(it->second->result)->active;
+  }
+  case Expr::Conditional: return varied(e->args[1]) || varied(e->args[2]);
+  case Expr::Comma: return varied(e->args[1]);
+  case Expr::Unary:
+  case Expr::Binary:
+  case Expr::Cast:
+  case Expr::MathCall:
+    for (const Expr *arg : e->args)
+      if (varied(arg)) return true;
+    return false;
+  default: {
+    Place *p = place(e);
+    return p ? p->active : e->kind == Expr::Member && !e->arrow && varied(e->args[0]); // a member of a temporary
+  }
+  }
+}
+
+// The fixed point over one variant.
+class VariantAnalysis {
+public:
+  VariantAnalysis(Activity &activity, Variant &variant) : activity_(activity), v_(variant) {}
+
+  void run() {
+    do {
+      changed_ = false;
+      walk(v_.function->body);
+    } while (changed_);
+    checking_ = true;
+    walk(v_.function->body);
+    for (const Variable *param : v_.function->params)
+      if (v_.active(param)) checkType(param->type, param->loc, "'" + param->name + "'");
+    if (find(v_.result)->active) checkType(v_.function->result, v_.function->loc, "the result of '" + v_.function->name + "'");
+  }
+
+private:
+  void walk(const Stmt *s) {
+    if (!s) return;
+    for (const Stmt *part : s->body) walk(part);
+    walk(s->init);
+    if (s->kind == Stmt::Declare) declare(s);
+    if (s->expr) visit(s->expr);
+    if (s->kind == Stmt::Return && s->expr && v_.varied(s->expr)) activate(v_.result, s->loc, "the result");
+    if (s->step) visit(s->step);
+    walk(s->then);
+    walk(s->otherwise);
+  }
+
+  void declare(const Stmt *s) {
+    if (!v_.places.count(s->var)) {
+      v_.places[s->var] = activity_.makePlace(s->var->type);
+      if (s->var->isStatic) find(v_.places[s->var])->frozen = find(v_.places[s->var])->input = true;
+    }
+    if (checking_ && v_.active(s->var)) checkType(s->var->type, s->var->loc, "'" + s->var->name + "'");
+    if (!s->expr) return;
+    prepare(s->expr);
+    Place *p = find(v_.places[s->var]);
+    if (s->var->type->kind == Type::Pointer) unify(p->target, v_.target(s->expr), s->loc);
+    else if (v_.varied(s->expr)) activate(p, s->loc, "'" + s->var->name + "'");
+  }
+
+  // Makes the storage that an expression names known, before it is asked for.
+  void prepare(const Expr *e) {
+    for (const Expr *arg : e->args)
+      if (arg) prepare(arg);
+    if (e->kind == Expr::Ref && !v_.places.count(e->var)) v_.places[e->var] = globalPlace(e->var);
+    if (e->kind == Expr::Member) {
+      Place *base = e->arrow ? v_.target(e->args[0]) : v_.place(e->args[0]);
+      if (base && throughField(e->type) && !base->fields.count(e->text)) {
+        Place *field = activity_.makePlace(e->type);
+        inherit(field, base);
+        base->fields[e->text] = field;
+      }
+    }
+    if (e->kind == Expr::Conditional && e->type->kind == Type::Pointer) unify(v_.target(e->args[1]), v_.target(e->args[2]), e->loc);
+  }
+
+  static void inherit(Place *field, const Place *base) {
+    for (Place *p = field; p; p = p->target) p->input = base->input, p->frozen = base->frozen;
+  }
+
+  Place *globalPlace(const Variable *var) {
+    Place *&p = activity_.globals_[var];
+    if (!p) {
+      p = activity_.makePlace(var->type);
+      p->input = p->frozen = true;
+    }
+    return p;
+  }
+
+  void visit(const Expr *e) {
+    prepare(e);
+    for (const Expr *arg : e->args)
+      if (arg) visit(arg);
+    if (e->kind == Expr::Call) call(e);
+    if (e->kind == Expr::Assign) assign(e);
+    if (e->kind == Expr::Step) write(v_.place(e->args[0]), e->loc);
+    if (checking_) check(e);
+  }
+
+  void assign(const Expr *e) {
+    const Expr *lhs = e->args[0], *rhs = e->args[1];
+    Place *p = v_.place(lhs);
+    write(p, e->loc);
+    if (lhs->type->kind == Type::Pointer && e->text == "=") unify(p->target, v_.target(rhs), e->loc);
+    else if (lhs->type->kind != Type::Integer && v_.varied(rhs)) activate(p, e->loc, "this");
+  }
+
+  void write(Place *p, const Loc &loc) {
+    if (!p) return;
+    p = find(p);
+    if (p->input) activity_.report("write-input", loc, "assignment");
+    p->written = true;
+  }
+
+  void activate(Place *p, const Loc &loc, const std::string &what) {
+    p = find(p);
+    if (p->active) return;
+    if (p->frozen) return activity_.report("active-params", loc, what);
+    p->active = true;
+    changed_ = true;
+  }
+
+  void unify(Place *a, Place *b, const Loc &loc) {
+    if (!a || !b) return;
+    a = find(a), b = find(b);
+    if (a == b) return;
+    changed_ = true;
+    bool mixed = (a->active && b->frozen) || (b->active && a->frozen);
+    if (mixed) activity_.report("active-params", loc, "a pointer to both");
+    b->parent = a;
+    a->active |= b->active, a->input |= b->input, a->frozen |= b->frozen, a->written |= b->written;
+    if (!a->target) a->target = b->target;
+    else unify(a->target, b->target, loc);
+    for (auto &field : b->fields) {
+      Place *&mine = a->fields[field.first];
+      if (!mine) mine = field.second;
+      else unify(mine, field.second, loc);
+    }
+  }
+
+  void call(const Expr *e) {
+    std::string signature;
+    for (const Expr *arg : e->args) {
+      bool active = arg->type->kind == Type::Pointer ? v_.pointsToActive(arg) : v_.varied(arg);
+      signature += active ? 'a' : 'p';
+    }
+    Variant *callee = activity_.analyse(e->callee, signature);
+    if (v_.callees[e] != callee) v_.callees[e] = callee, changed_ = true;
+    for (size_t i = 0; i < e->args.size(); ++i)
+      if (e->args[i]->type->kind == Type::Pointer) takeBack(callee->places[callee->function->params[i]]->target, v_.target(e->args[i]), e);
+  }
+
+  // What the callee does to the storage behind a pointer happens to the caller's.
+  void takeBack(Place *theirs, Place *ours, const Expr *e) {
+    if (!theirs || !ours) return;
+    theirs = find(theirs), ours = find(ours);
+    if (theirs->written && !ours->written) write(ours, e->loc);
+    if (theirs->active) activate(ours, e->loc, "an argument of '" + e->callee->name + "'");
+    takeBack(theirs->target, ours->target, e);
+    for (auto &field : theirs->fields)
+      if (ours->fields.count(field.first)) takeBack(field.second, ours->fields[field.first], e);
+      else if (find(field.second)->written) write(ours, e->loc);
+  }
+
+  // An active object must have a layout of jets.
+  void checkType(const Type *type, const Loc &loc, const std::string &what) {
+    bool pointer = false;
+    for (; type->kind == Type::Pointer || type->kind == Type::Array; type = type->element) {
+      if (pointer && type->kind == Type::Pointer) return activity_.report("pointer-to-pointer", loc, what);
+      pointer |= type->kind == Type::Pointer || (type->kind == Type::Array && type->element->kind == Type::Pointer);
+    }
+    if (type->kind == Type::Struct && !allReal(type)) activity_.report("struct-active", loc, what + " of type '" + type->record->spelling + "'");
+  }
+
+  // What only shows once the fixed point is reached.
+  void check(const Expr *e) {
+    bool toInteger = e->kind == Expr::Cast && e->type->kind == Type::Integer && e->type->name != "_Bool";
+    if (toInteger && v_.varied(e->args[0])) activity_.report("active-integer", e->loc, "conversion to '" + e->type->name + "'");
+    bool compound = e->kind == Expr::Assign && e->args[0]->type->kind == Type::Integer && v_.varied(e->args[1]);
+    if (compound) activity_.report("active-integer", e->loc, "assignment to '" + e->args[0]->type->name + "'");
+    if (e->type->kind == Type::Real && e->type->name == "float" && v_.varied(e)) activity_.report("float-active", e->loc, "'float' expression");
+  }
+
+  Activity &activity_;
+  Variant &v_;
+  bool changed_ = false, checking_ = false;
+};
+
+Activity::Activity(const Model &model, Diagnostics &diags, const std::vector<std::string> &paths) : diags_(diags), paths_(paths) {
+  for (const ModelFunction &f : model.functions) {
+    std::string signature;
+    for (ArgRole role : f.args) signature += role == ArgRole::Params ? 'c' : role == ArgRole::Out || role == ArgRole::T ? 'a' : 'i';
+    roots_.push_back(analyse(f.function, signature));
+  }
+  std::set<const Variant *> seen;
+  std::function<void(Variant *)> list = [&](Variant *v) {
+    if (!seen.insert(v).second) return;
+    std::map<std::pair<std::string, std::string>, Variant *> callees; // by name, so that the order does not depend on addresses
+    for (auto &c : v->callees) callees[{c.second->function->name, c.second->signature}] = c.second;
+    for (auto &c : callees) list(c.second);
+    order_.push_back(v);
+  };
+  for (Variant *root : roots_) list(root);
+}
+
+Activity::~Activity() = default;
+
+Place *Activity::makePlace(const Type *type) {
+  while (type->kind == Type::Array) type = type->element;
+  Place *p = storage_.emplace_back(std::make_unique<Place>()).get();
+  if (type->kind == Type::Pointer) p->target = makePlace(type->element);
+  return p;
+}
+
+Variant *Activity::analyse(const Function *f, const std::string &signature) {
+  Variant *&known = known_[{f, signature}];
+  if (known) return known;
+  known = owned_.emplace_back(std::make_unique<Variant>()).get();
+  Variant *v = known;
+  v->function = f;
+  v->signature = signature;
+  v->result = makePlace(f->result);
+  for (size_t i = 0; i < f->params.size(); ++i) {
+    Place *p = v->places[f->params[i]] = makePlace(f->params[i]->type);
+    while (p->target) p = p->target;
+    p->active = signature[i] == 'a' || signature[i] == 'i';
+    p->frozen = signature[i] == 'c';
+    p->input = signature[i] == 'c' || signature[i] == 'i';
+  }
+  VariantAnalysis(*this, *v).run();
+  return v;
+}
+
+void Activity::report(const char *id, const Loc &loc, const std::string &what) {
+  diags_.add(id, loc.file >= 0 ? paths_[static_cast<size_t>(loc.file)] : "", loc.line, loc.column, what);
+}
+
+} // namespace tlgen

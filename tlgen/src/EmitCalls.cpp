@@ -1,0 +1,178 @@
+// The calls emitter: tables, structs and functions in order, and the constant that describes the model to the runtime.
+#include "EmitCalls.h"
+#include "EmitFunction.h"
+
+#include <algorithm>
+
+namespace tlgen {
+namespace {
+
+class ModelEmitter {
+public:
+  ModelEmitter(const Program &program, const Model &model, const Activity &activity) : program_(program), model_(model), activity_(activity) {}
+
+  EmittedModel run(const std::string &headerName) {
+    nameVariants();
+    std::string functions;
+    for (const Variant *v : activity_.variants()) functions += banner(*v) + FunctionEmitter(program_, *v, emitted_).run() + "\n";
+    EmittedModel out;
+    out.header = header();
+    out.source = title(".") + "#include \"" + headerName + "\"\n\n#include \"taylor/taylor.h\"\n\n" + records(false) + tables() + functions + adapters() + description();
+    return out;
+  }
+
+private:
+  std::string title(const std::string &ending) const {
+    std::string from;
+    for (const ModelFunction &f : model_.functions) {
+      const std::string &file = program_.files[static_cast<size_t>(f.function->loc.file)];
+      if (from.find(file) == std::string::npos) from += (from.empty() ? "" : ", ") + file;
+    }
+    return "/* Model \"" + model_.name + "\" on truncated Taylor series, printed by tlgen from " + from + ending + " Do not edit. */\n";
+  }
+
+  // A struct that stands in a .c file can be had from nowhere else, so the header defines it; one from a header is the user's to include.
+  bool inHeader(const Record *r) const {
+    const std::string &file = program_.files[static_cast<size_t>(r->loc.file)];
+    return file.size() > 2 && file.compare(file.size() - 2, 2, ".c") == 0;
+  }
+
+  std::string records(bool header) const {
+    std::string s;
+    for (const Record *r : program_.records)
+      if (inHeader(r) == header) s += definition(r) + "\n";
+    return s;
+  }
+
+  std::string header() const {
+    std::string guard = model_.name + "_TL_H";
+    std::transform(guard.begin(), guard.end(), guard.begin(), [](unsigned char ch) { return static_cast<char>(toupper(ch)); });
+    return title(".") + "#ifndef " + guard + "\n#define " + guard + "\n\n#include \"eom/model.h\"\n\n" + records(true) +
+           "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\nextern const eom_model " + model_.name + "_model;\n\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
+  }
+
+  std::string tables() const {
+    std::string s;
+    for (const Variable *v : program_.globals) s += "static " + declaration(v->type, v->name) + " = " + initializer(v->init) + ";\n";
+    return s.empty() ? s : s + "\n";
+  }
+
+  // The user's name for a function that stays plain C, with _tl behind it for one on jets, and with a number where there are several.
+  void nameVariants() {
+    std::map<std::string, int> count;
+    for (const Variant *v : activity_.variants()) {
+      std::string name = v->function->name + (v->active() ? "_tl" : "");
+      int n = ++count[name];
+      emitted_.names[v] = n == 1 ? name : name + std::to_string(n);
+    }
+  }
+
+  std::string banner(const Variant &v) const {
+    const Loc &loc = v.function->loc;
+    return "/* " + v.function->name + ", " + program_.files[static_cast<size_t>(loc.file)] + ":" + std::to_string(loc.line) + ". */\n";
+  }
+
+  std::string adapterName(size_t i) const {
+    static const char *const roles[] = {"lagrangian", "force", "holonomic", "nonholonomic"};
+    Role role = model_.functions[i].role;
+    std::string name = roles[static_cast<int>(role)];
+    long n = 0;
+    for (size_t k = 0; k < i; ++k) n += model_.functions[k].role == role;
+    bool several = role == Role::Holonomic || role == Role::Nonholonomic;
+    return model_.name + "_" + name + (several ? std::to_string(n + 1) : "") + "_jet";
+  }
+
+  std::string adapters() const {
+    std::string s;
+    for (size_t i = 0; i < model_.functions.size(); ++i) s += adapter(i);
+    return s;
+  }
+
+  // From the runtime's signature to the user's order of arguments.
+  std::string adapter(size_t i) const {
+    const ModelFunction &f = model_.functions[i];
+    const Variant *v = activity_.roots()[i];
+    std::string args = "cx", unused;
+    if (find(v->result)->active) args += ", out";
+    bool used[5] = {};
+    for (size_t k = 0; k < f.args.size(); ++k) {
+      static const char *const names[] = {"q", "qd", "t", "params", "out"};
+      const Variable *param = f.function->params[k];
+      bool cast = (f.args[k] == ArgRole::Q || f.args[k] == ArgRole::Qd) && !param->type->element->isConst;
+      args += std::string(", ") + (cast ? "(tl_real *)" : "") + names[static_cast<int>(f.args[k])];
+      used[static_cast<int>(f.args[k])] = true;
+    }
+    if (!used[0]) unused += "  (void)q;\n";
+    if (!used[1]) unused += "  (void)qd;\n";
+    if (!used[2]) unused += "  (void)t;\n";
+    if (!used[3]) unused += "  (void)params;\n";
+    std::string body;
+    if (!v->active()) body = "  tl_const(cx, out, " + emitted_.names.at(v) + "(" + args.substr(std::min(args.size(), size_t(4))) + "));\n";
+    else if (f.function->result->kind == Type::Real && !find(v->result)->active) body = "  tl_const(cx, out, " + emitted_.names.at(v) + "(" + args + "));\n";
+    else body = "  " + emitted_.names.at(v) + "(" + args + ");\n";
+    return "static void " + adapterName(i) + "(tl_ctx *cx, tl_real *out, const tl_real *q, const tl_real *qd, const tl_real *t, const void *params)\n{\n" +
+           unused + body + "}\n\n";
+  }
+
+  std::string countFunction(const std::string &name, const Count &count) const {
+    std::string value = std::to_string(count.value), unused = "  (void)params;\n";
+    if (!count.member.empty()) value = "(int)((const " + model_.params->spelling + " *)params)->" + count.member, unused = "";
+    return "static int " + name + "(const void *params)\n{\n" + unused + "  return " + value + ";\n}\n\n";
+  }
+
+  std::string frameFunction(const std::string &name, long jets) const {
+    return "static size_t " + name + "(const void *params)\n{\n  (void)params;\n  return " + std::to_string(jets) + ";\n}\n\n";
+  }
+
+  std::string stem(size_t i) const { return adapterName(i).substr(0, adapterName(i).size() - 4); }
+
+  // One eom_function as an initialiser.
+  std::string entry(size_t i, const std::string &rows) const {
+    const ModelFunction &f = model_.functions[i];
+    std::string place = program_.files[static_cast<size_t>(f.function->loc.file)] + ":" + std::to_string(f.function->loc.line);
+    return "{\"" + f.function->name + "\", \"" + place + "\", " + adapterName(i) + ", " + rows + ", " + stem(i) + "_frame}";
+  }
+
+  std::string description() const {
+    std::string s = countFunction(model_.name + "_dof", model_.dof), lists;
+    std::string lagrangian = "{0}", force = "{0}", constraints[2];
+    int counts[2] = {};
+    for (size_t i = 0; i < model_.functions.size(); ++i) {
+      const ModelFunction &f = model_.functions[i];
+      s += frameFunction(stem(i) + "_frame", emitted_.frames.at(activity_.roots()[i]));
+      std::string rows = f.role == Role::Force ? model_.name + "_dof" : stem(i) + "_rows";
+      if (f.role != Role::Force) s += countFunction(rows, f.rows);
+      if (f.role == Role::Lagrangian) lagrangian = entry(i, rows);
+      else if (f.role == Role::Force) force = entry(i, rows);
+      else {
+        int kind = f.role == Role::Nonholonomic;
+        constraints[kind] += "  " + entry(i, rows) + ",\n";
+        ++counts[kind];
+      }
+    }
+    static const char *const kinds[] = {"holonomic", "nonholonomic"};
+    std::string pointers[2];
+    for (int k = 0; k < 2; ++k) {
+      pointers[k] = counts[k] ? model_.name + "_" + kinds[k] : "NULL";
+      if (counts[k]) lists += "static const eom_function " + pointers[k] + "[] = {\n" + constraints[k] + "};\n\n";
+    }
+    std::string size = model_.params ? "sizeof(" + model_.params->spelling + ")" : "0";
+    return s + lists + "const eom_model " + model_.name + "_model = {\n  .name = \"" + model_.name + "\",\n  .dof = " + model_.name +
+           "_dof,\n  .params_size = " + size + ",\n  .lagrangian = " + lagrangian + ",\n  .force = " + force + ",\n  .holonomic = " + pointers[0] +
+           ",\n  .nholonomic = " + std::to_string(counts[0]) + ",\n  .nonholonomic = " + pointers[1] +
+           ",\n  .nnonholonomic = " + std::to_string(counts[1]) + ",\n};\n";
+  }
+
+  const Program &program_;
+  const Model &model_;
+  const Activity &activity_;
+  Emitted emitted_;
+};
+
+} // namespace
+
+EmittedModel emitCalls(const Program &program, const Model &model, const Activity &activity, const std::string &headerName) {
+  return ModelEmitter(program, model, activity).run(headerName);
+}
+
+} // namespace tlgen

@@ -1,0 +1,18 @@
+// The calls emitter: a whole model as one C file and its header.
+#ifndef TLGEN_EMITCALLS_H
+#define TLGEN_EMITCALLS_H
+
+#include "Activity.h"
+
+namespace tlgen {
+
+struct EmittedModel {
+  std::string source, header;
+};
+
+// headerName: how the source includes its header. The text depends on nothing but the arguments.
+EmittedModel emitCalls(const Program &program, const Model &model, const Activity &activity, const std::string &headerName);
+
+} // namespace tlgen
+
+#endif

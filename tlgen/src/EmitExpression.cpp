@@ -1,0 +1,342 @@
+// Expressions of the calls emitter: C text of values, addresses of jets, and jets computed into a place.
+//
+// A destination is written by the last operation of an expression only, so it may be one of the operands.
+#include "EmitFunction.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+namespace tlgen {
+
+std::string Address::offset() const {
+  std::string sum;
+  bool several = terms.size() > 1;
+  long constant = 0;
+  for (const auto &t : terms) {
+    bool number = !t.first.s.empty() && t.first.s.find_first_not_of("0123456789") == std::string::npos;
+    if (number) {
+      constant += std::stol(t.first.s) * t.second;
+      continue;
+    }
+    std::string text = operand(t.first, several && t.second == 1 ? Sum : Product) + (t.second == 1 ? "" : "*" + std::to_string(t.second));
+    sum += (sum.empty() ? "" : " + ") + text;
+  }
+  if (sum.empty()) return constant == 0 ? "" : constant == 1 ? "nc" : std::to_string(constant) + "*nc";
+  if (constant) sum += " + " + std::to_string(constant);
+  return (sum.find(' ') != std::string::npos ? "(" + sum + ")" : sum) + "*nc";
+}
+
+std::string Address::pointer() const { return terms.empty() || offset().empty() ? base : base + " + " + offset(); }
+
+std::string Address::value() const { return base + "[" + (offset().empty() ? "0" : offset()) + "]"; }
+
+bool FunctionEmitter::activeObject(const Expr *e) const {
+  if (e->type->kind != Type::Real && e->type->kind != Type::Struct) return false;
+  Place *p = v_.place(e);
+  return p && p->active;
+}
+
+// An active number or struct that stands in storage of its own.
+bool FunctionEmitter::isObject(const Expr *e) const {
+  bool named = e->kind == Expr::Ref || e->kind == Expr::Index || e->kind == Expr::Deref || e->kind == Expr::Member;
+  return named && (activeObject(e) || (e->kind == Expr::Member && v_.varied(e)));
+}
+
+bool FunctionEmitter::activePointer(const Expr *e) const { return e->type->kind == Type::Pointer && v_.pointsToActive(e); }
+
+// True where evaluating the expression twice would differ from once.
+bool FunctionEmitter::hasEffect(const Expr *e) {
+  if (e->kind == Expr::Assign || e->kind == Expr::Step || e->kind == Expr::Call) return true;
+  return std::any_of(e->args.begin(), e->args.end(), [](const Expr *arg) { return arg && hasEffect(arg); });
+}
+
+// True where the value of e needs jets to be computed first, in statements of their own.
+bool FunctionEmitter::needsStatements(const Expr *e) const {
+  if ((e->kind == Expr::Assign || e->kind == Expr::Step) && activeObject(e->args[0])) return true;
+  if (e->kind == Expr::Call && v_.callees.at(e)->active()) {
+    if (find(v_.callees.at(e)->result)->active) return true;
+    for (size_t i = 0; i < e->args.size(); ++i)
+      if (e->args[i]->type->kind != Type::Pointer && v_.callees.at(e)->activeParam(i)) return true;
+  }
+  return std::any_of(e->args.begin(), e->args.end(), [&](const Expr *arg) { return arg && needsStatements(arg); });
+}
+
+// ---- addresses and pointers
+
+void FunctionEmitter::term(Address &a, const Expr *index, long count) {
+  Text t = value(index);
+  bool isUnsigned = index->type->name.compare(0, 8, "unsigned") == 0 && index->kind != Expr::Literal;
+  if (isUnsigned) t = {"(ptrdiff_t)" + operand(t, Prefix), Prefix};
+  if (index->kind == Expr::Literal) t.s.erase(std::find_if(t.s.begin(), t.s.end(), [](char ch) { return ch == 'u' || ch == 'l'; }), t.s.end());
+  a.terms.push_back({t, count});
+}
+
+Address FunctionEmitter::place(const Expr *e) {
+  switch (e->kind) {
+  case Expr::Ref: return {nameOf(e->var), {}};
+  case Expr::Member: {
+    const Expr *base = e->args[0];
+    Address a = e->arrow ? Address{operand(pointer(base), Postfix), {}} : base->kind == Expr::Call || base->kind == Expr::Conditional ? Address{jet(base), {}} : place(base);
+    const Type *record = e->arrow ? base->type->element : base->type;
+    a.terms.push_back({{std::to_string(fieldOffset(record->record, e->text)), Primary}, 1});
+    return a;
+  }
+  case Expr::Index: {
+    Address a = e->args[0]->kind == Expr::Decay ? place(e->args[0]->args[0]) : Address{operand(pointer(e->args[0]), Postfix), {}};
+    term(a, e->args[1], elements(e->type));
+    return a;
+  }
+  case Expr::Deref: {
+    if (e->args[0]->kind == Expr::AddressOf || e->args[0]->kind == Expr::Decay) return place(e->args[0]->args[0]);
+    return {operand(pointer(e->args[0]), Postfix), {}};
+  }
+  case Expr::Assign:
+  case Expr::Step: // done before, as a statement
+    evaluate(e);
+    return place(e->args[0]);
+  default: std::abort(); // no other expression is an active object
+  }
+}
+
+std::string FunctionEmitter::address(const Expr *e) { return place(e).pointer(); }
+
+// A pointer to active numbers.
+Text FunctionEmitter::pointer(const Expr *e) {
+  auto sum = [](const Address &a) { return Text{a.pointer(), a.offset().empty() ? Postfix : Sum}; };
+  long count = elements(e->type->element);
+  std::string jets = count == 1 ? "nc" : std::to_string(count) + "*nc";
+  switch (e->kind) {
+  case Expr::Ref: return {nameOf(e->var), Primary};
+  case Expr::Decay:
+  case Expr::AddressOf: return sum(place(e->args[0]));
+  case Expr::Cast: return pointer(e->args[0]);
+  case Expr::Binary: {
+    bool first = e->args[0]->type->kind == Type::Pointer;
+    Address offset{"", {}};
+    term(offset, e->args[first ? 1 : 0], count);
+    std::string o = offset.offset();
+    if (o.empty()) return pointer(e->args[first ? 0 : 1]);
+    return {operand(pointer(e->args[first ? 0 : 1]), Sum) + " " + e->text + " " + o, Sum};
+  }
+  case Expr::Step: {
+    std::string move = pointer(e->args[0]).s + (e->text == "++" ? " += " : " -= ") + jets;
+    if (e->prefix) return {move, Assignment};
+    return {"(" + move + (e->text == "++" ? ") - " : ") + ") + jets, Sum};
+  }
+  case Expr::Assign: {
+    if (e->text == "=") return {pointer(e->args[0]).s + " = " + operand(pointer(e->args[1]), Assignment), Assignment};
+    Address offset{"", {}};
+    term(offset, e->args[1], count);
+    return {pointer(e->args[0]).s + " " + e->text + " " + (offset.offset().empty() ? "0" : offset.offset()), Assignment};
+  }
+  case Expr::Conditional:
+    return {operand(value(e->args[0]), Or) + " ? " + operand(pointer(e->args[1]), Choice) + " : " + operand(pointer(e->args[2]), Choice), Choice};
+  case Expr::Comma: return {operand(value(e->args[0]), Assignment) + ", " + operand(pointer(e->args[1]), Assignment), Sequence};
+  default: std::abort(); // pointers to pointers are refused
+  }
+}
+
+// ---- values
+
+Text FunctionEmitter::value(const Expr *e) {
+  if (activePointer(e)) return pointer(e);
+  if (isObject(e) || ((e->kind == Expr::Assign || e->kind == Expr::Step) && activeObject(e))) return {place(e).value(), Postfix};
+  switch (e->kind) {
+  case Expr::Literal: return {e->text, e->text[0] == '-' ? Prefix : Primary};
+  case Expr::Ref: return {nameOf(e->var), Primary};
+  case Expr::Index: return {operand(value(e->args[0]), Postfix) + "[" + value(e->args[1]).s + "]", Postfix};
+  case Expr::Member: return {operand(value(e->args[0]), Postfix) + (e->arrow ? "->" : ".") + e->text, Postfix};
+  case Expr::Deref: return unaryText("*", value(e->args[0]));
+  case Expr::AddressOf: return unaryText("&", value(e->args[0]));
+  case Expr::Decay: return value(e->args[0]);
+  case Expr::Unary: return unaryText(e->text, value(e->args[0]));
+  case Expr::Binary: {
+    if (e->text == "&&" || e->text == "||") return logicalValue(e);
+    bool difference = e->text == "-" && activePointer(e->args[0]) && activePointer(e->args[1]);
+    if (!difference) return binaryText(e->text, value(e->args[0]), value(e->args[1]));
+    long count = elements(e->args[0]->type->element);
+    return {"(" + pointer(e->args[0]).s + " - " + operand(pointer(e->args[1]), Product) + ")/" + (count == 1 ? "nc" : "(" + std::to_string(count) + "*nc)"), Product};
+  }
+  case Expr::Conditional: return conditionalValue(e);
+  case Expr::Call: return callValue(e);
+  case Expr::MathCall: {
+    std::string args;
+    for (const Expr *arg : e->args) args += (args.empty() ? "" : ", ") + operand(value(arg), Assignment);
+    return {e->text + "(" + args + ")", Postfix};
+  }
+  case Expr::Cast: {
+    const Expr *inner = e->args[0];
+    bool plainInteger = inner->kind == Expr::Literal && inner->type->kind == Type::Integer && inner->text.find_first_not_of("-0123456789") == std::string::npos;
+    if (plainInteger && e->type->kind == Type::Real) return {inner->text + ".0", Primary};
+    if (plainInteger && e->type->kind == Type::Integer) return value(inner);
+    if (e->type->kind == Type::Pointer) return value(inner); // only qualifiers change
+    return {"(" + tlgen::declaration(e->type, "") + ")" + operand(value(inner), Prefix), Prefix};
+  }
+  case Expr::Assign: return binaryText(e->text, value(e->args[0]), value(e->args[1]));
+  case Expr::Step: return e->prefix ? unaryText(e->text, value(e->args[0])) : Text{operand(value(e->args[0]), Postfix) + e->text, Postfix};
+  case Expr::Comma:
+    if (!needsStatements(e->args[0])) return binaryText(",", value(e->args[0]), value(e->args[1]));
+    evaluate(e->args[0]);
+    return value(e->args[1]);
+  case Expr::InitList: {
+    std::string items;
+    for (const Expr *item : e->args) items += (items.empty() ? "" : ", ") + (item ? operand(value(item), Assignment) : std::string("0"));
+    std::string type = e->text == "compound" ? "(" + tlgen::declaration(e->type, "") + ")" : "";
+    return {type + "{" + (items.empty() ? "0" : items) + "}", Primary};
+  }
+  }
+  std::abort();
+}
+
+// a && b and a || b evaluate b only where they must, also where b needs statements.
+Text FunctionEmitter::logicalValue(const Expr *e) {
+  if (!needsStatements(e->args[1])) return binaryText(e->text, value(e->args[0]), value(e->args[1]));
+  std::string test = fresh("test");
+  line("int " + test + " = " + operand(value(e->args[0]), Equality) + " != 0;");
+  line("if (" + std::string(e->text == "&&" ? "" : "!") + test + ") {");
+  ++indent_;
+  line(test + " = " + operand(value(e->args[1]), Equality) + " != 0;");
+  --indent_;
+  line("}");
+  return {test, Primary};
+}
+
+Text FunctionEmitter::conditionalValue(const Expr *e) {
+  if (!needsStatements(e->args[1]) && !needsStatements(e->args[2]))
+    return {operand(value(e->args[0]), Or) + " ? " + operand(value(e->args[1]), Choice) + " : " + operand(value(e->args[2]), Choice), Choice};
+  std::string choice = fresh("choice");
+  Type plain = *e->type;
+  plain.isConst = false;
+  line(tlgen::declaration(&plain, choice) + ";");
+  line("if (" + value(e->args[0]).s + ") {");
+  ++indent_;
+  line(choice + " = " + operand(value(e->args[1]), Assignment) + ";");
+  --indent_;
+  line("} else {");
+  ++indent_;
+  line(choice + " = " + operand(value(e->args[2]), Assignment) + ";");
+  --indent_;
+  line("}");
+  return {choice, Primary};
+}
+
+Text FunctionEmitter::callValue(const Expr *e) {
+  if (!find(v_.callees.at(e)->result)->active) return {callText(e, ""), Postfix};
+  return {jet(e) + "[0]", Postfix};
+}
+
+std::string FunctionEmitter::callText(const Expr *e, const std::string &dest) {
+  const Variant *callee = v_.callees.at(e);
+  calleeFrame_ = std::max(calleeFrame_, emitted_.frames.at(callee));
+  std::string args = callee->active() ? "cx" : "";
+  auto add = [&](const std::string &a) { args += (args.empty() ? "" : ", ") + a; };
+  if (!dest.empty()) add(dest);
+  for (size_t i = 0; i < e->args.size(); ++i) {
+    bool number = e->args[i]->type->kind != Type::Pointer && callee->activeParam(i);
+    add(number ? jet(e->args[i]) : operand(value(e->args[i]), Assignment));
+  }
+  return emitted_.names.at(callee) + "(" + args + ")";
+}
+
+// ---- jets
+
+// The address of a jet with the value of e: an object itself, or a temporary.
+std::string FunctionEmitter::jet(const Expr *e) {
+  if (e->kind == Expr::Cast) return jet(e->args[0]);
+  if (e->kind == Expr::Unary && e->text == "+") return jet(e->args[0]);
+  if (isObject(e)) return address(e);
+  std::string dest = temporary(e->type);
+  into(dest, e);
+  return dest;
+}
+
+void FunctionEmitter::into(const std::string &dest, const Expr *e) {
+  if (!isJet(e)) {
+    Text text = value(e);
+    if (e->type->kind == Type::Struct && hasEffect(e)) { // its members are read one by one
+      std::string copy = fresh("copy");
+      line("const " + tlgen::declaration(e->type, copy) + " = " + operand(text, Assignment) + ";");
+      text = {copy, Primary};
+    }
+    return constants(dest, e->type, text);
+  }
+  switch (e->kind) {
+  case Expr::Cast: return into(dest, e->args[0]);
+  case Expr::Unary:
+    if (e->text == "-") return operation("neg", dest + ", " + jet(e->args[0]));
+    return into(dest, e->args[0]);
+  case Expr::Binary: return binaryInto(dest, e);
+  case Expr::MathCall: return mathInto(dest, e);
+  case Expr::Call: return line(callText(e, dest) + ";");
+  case Expr::Comma: evaluate(e->args[0]); return into(dest, e->args[1]);
+  case Expr::Conditional:
+    line("if (" + value(e->args[0]).s + ") {");
+    ++indent_;
+    into(dest, e->args[1]);
+    --indent_;
+    line("} else {");
+    ++indent_;
+    into(dest, e->args[2]);
+    --indent_;
+    return line("}");
+  case Expr::Step:
+    if (!e->prefix) { // the old value
+      operation("copy", dest + ", " + address(e->args[0]));
+      return evaluate(e);
+    }
+    return operation("copy", dest + ", " + address(e));
+  case Expr::InitList: { // the destination may stand in the list
+    std::string list = temporary(e->type);
+    initObject(list, e->type, e);
+    return copyObject(dest, list, e->type);
+  }
+  default: return copyObject(dest, address(e), e->type);
+  }
+}
+
+void FunctionEmitter::binaryInto(const std::string &dest, const Expr *e) {
+  const Expr *a = e->args[0], *b = e->args[1];
+  char op = e->text[0];
+  if (isJet(a) && isJet(b)) {
+    std::string x = jet(a), y = jet(b);
+    const char *name = op == '+' ? "add" : op == '-' ? "sub" : op == '*' ? "mul" : "div";
+    return operation(name, dest + ", " + x + ", " + y);
+  }
+  const Expr *active = isJet(a) ? a : b, *passive = isJet(a) ? b : a;
+  std::string x = jet(active);
+  Text k = value(passive);
+  std::string factor = operand(k, Assignment);
+  if (op == '+') return operation("shift", dest + ", " + x + ", " + factor);
+  if (op == '*') return operation("scale", dest + ", " + x + ", " + factor);
+  if (op == '-') return active == a ? operation("shift", dest + ", " + x + ", " + unaryText("-", k).s) : operation("rsub", dest + ", " + factor + ", " + x);
+  return active == a ? operation("divc", dest + ", " + x + ", " + factor) : operation("rdiv", dest + ", " + factor + ", " + x);
+}
+
+// The integer that a literal exponent is, such as 2, 2.0 or -3.
+static bool integerExponent(const Expr *e, long &n) {
+  if (e->kind == Expr::Cast) return integerExponent(e->args[0], n);
+  if (e->kind == Expr::Unary && e->text == "-" && integerExponent(e->args[0], n)) return n = -n, true;
+  if (e->kind != Expr::Literal) return false;
+  double x = std::strtod(e->text.c_str(), nullptr);
+  if (std::floor(x) != x || std::fabs(x) > 1000) return false;
+  return n = static_cast<long>(x), true;
+}
+
+void FunctionEmitter::mathInto(const std::string &dest, const Expr *e) {
+  if (e->text == "pow" && !isJet(e->args[1])) {
+    long n = 0;
+    std::string x = jet(e->args[0]);
+    if (integerExponent(e->args[1], n)) return operation("powi", dest + ", " + x + ", " + std::to_string(n));
+    return operation("powc", dest + ", " + x + ", " + operand(value(e->args[1]), Assignment));
+  }
+  if (e->text == "pow" && !isJet(e->args[0])) {
+    std::string y = jet(e->args[1]);
+    return operation("rpow", dest + ", " + operand(value(e->args[0]), Assignment) + ", " + y);
+  }
+  std::string args;
+  for (const Expr *arg : e->args) args += ", " + jet(arg);
+  operation(e->text, dest + args);
+}
+
+} // namespace tlgen

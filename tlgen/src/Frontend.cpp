@@ -1,0 +1,83 @@
+// Runs Clang over the source files.
+#include "Frontend.h"
+
+#include "clang/Basic/Diagnostic.h"
+#include "clang/Basic/SourceManager.h"
+#include "clang/Tooling/CompilationDatabase.h"
+#include "clang/Tooling/JSONCompilationDatabase.h"
+#include "clang/Tooling/Tooling.h"
+#include "llvm/Support/FileSystem.h"
+
+namespace tlgen {
+namespace {
+
+namespace tooling = clang::tooling;
+
+// Clang's own errors become located messages; its warnings are the business of the user's compiler.
+class Collector : public clang::DiagnosticConsumer {
+public:
+  explicit Collector(Diagnostics &diags) : diags_(diags) {}
+  void HandleDiagnostic(clang::DiagnosticsEngine::Level level, const clang::Diagnostic &info) override {
+    clang::DiagnosticConsumer::HandleDiagnostic(level, info);
+    if (level < clang::DiagnosticsEngine::Error) return;
+    llvm::SmallString<128> text;
+    info.FormatDiagnostic(text);
+    std::string file;
+    unsigned line = 0, column = 0;
+    if (info.hasSourceManager() && info.getLocation().isValid()) {
+      clang::PresumedLoc loc = info.getSourceManager().getPresumedLoc(info.getLocation());
+      if (loc.isValid()) file = loc.getFilename(), line = loc.getLine(), column = loc.getColumn();
+    }
+    diags_.add("syntax", file, line, column, text.str().str());
+  }
+
+private:
+  Diagnostics &diags_;
+};
+
+std::unique_ptr<tooling::CompilationDatabase> makeDatabase(const Options &o, Diagnostics &diags) {
+  if (o.compileCommands.empty()) return std::make_unique<tooling::FixedCompilationDatabase>(".", o.compilerArgs);
+  std::string error;
+  auto database = tooling::CompilationDatabase::loadFromDirectory(o.compileCommands, error);
+  if (!database) diags.add("no-file", o.compileCommands + "/compile_commands.json", 0, 0, "compilation database");
+  return database;
+}
+
+tooling::ArgumentsAdjuster ownArguments(const Options &o) {
+  std::vector<std::string> before = {"-xc", "-D__TLGEN__=1", "-DNDEBUG", "-Wno-everything", "-ferror-limit=0"};
+  if (llvm::sys::fs::is_directory(TLGEN_RESOURCE_DIR)) before.push_back("-resource-dir=" TLGEN_RESOURCE_DIR);
+  auto adjuster = tooling::combineAdjusters(tooling::getClangStripOutputAdjuster(), tooling::getClangStripDependencyFileAdjuster());
+  adjuster = tooling::combineAdjusters(adjuster, tooling::getInsertArgumentAdjuster(before, tooling::ArgumentInsertPosition::BEGIN));
+  if (!o.compileCommands.empty() && !o.compilerArgs.empty())
+    adjuster = tooling::combineAdjusters(adjuster, tooling::getInsertArgumentAdjuster(o.compilerArgs, tooling::ArgumentInsertPosition::END));
+  return adjuster;
+}
+
+void collectFiles(const clang::SourceManager &sm, std::set<std::string> &files) {
+  for (auto it = sm.fileinfo_begin(); it != sm.fileinfo_end(); ++it) files.insert(it->first.getName().str());
+}
+
+} // namespace
+
+std::vector<std::unique_ptr<clang::ASTUnit>> parseSources(const Options &o, Diagnostics &diags, std::set<std::string> &files) {
+  for (const std::string &source : o.sources)
+    if (!llvm::sys::fs::is_regular_file(source)) diags.add("no-file", source, 0, 0, "source file");
+  if (diags.hasErrors()) return {};
+  auto database = makeDatabase(o, diags);
+  if (!database) return {};
+  tooling::ClangTool tool(*database, o.sources);
+  Collector collector(diags);
+  tool.setDiagnosticConsumer(&collector);
+  tool.setPrintErrorMessage(false);
+  tool.clearArgumentsAdjusters();
+  tool.appendArgumentsAdjuster(tooling::getClangSyntaxOnlyAdjuster());
+  tool.appendArgumentsAdjuster(ownArguments(o));
+  std::vector<std::unique_ptr<clang::ASTUnit>> units;
+  int failed = tool.buildASTs(units);
+  if (failed && !diags.hasErrors()) diags.add("syntax", o.sources[0], 0, 0, "Clang could not read the file");
+  if (diags.hasErrors()) return {};
+  for (auto &unit : units) collectFiles(unit->getSourceManager(), files);
+  return units;
+}
+
+} // namespace tlgen

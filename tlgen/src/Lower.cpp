@@ -1,0 +1,375 @@
+// Turns Clang's tree into the intermediate program. Whatever Subset accepts has a case here, and nothing else.
+#include "Lower.h"
+
+#include "clang/AST/ASTContext.h"
+#include "clang/AST/Expr.h"
+#include "clang/Basic/SourceManager.h"
+#include "llvm/ADT/SmallString.h"
+
+#include <cstdio>
+#include <cstdlib>
+#include <sstream>
+
+namespace tlgen {
+namespace {
+
+namespace c = clang;
+
+// The shortest decimal that reads back as the same double, always with a point or an exponent.
+std::string printDouble(double x) {
+  char text[40];
+  for (int digits = 1; digits <= 17; ++digits) {
+    std::snprintf(text, sizeof text, "%.*g", digits, x);
+    if (std::strtod(text, nullptr) == x) break;
+  }
+  std::string s = text;
+  return s.find_first_of(".en") == std::string::npos ? s + ".0" : s;
+}
+
+class Lowering {
+public:
+  Lowering(const Source &source, Program &program) : source_(source), program_(program) {}
+
+  Function *declare(const c::FunctionDecl *decl) {
+    Function *f = program_.make(Function{});
+    f->name = decl->getNameAsString();
+    context_ = &decl->getASTContext();
+    f->result = type(decl->getReturnType());
+    f->loc = loc(decl->getLocation());
+    for (const c::ParmVarDecl *param : decl->parameters()) f->params.push_back(variable(param, Variable::Parameter));
+    functions_[decl] = f;
+    program_.functions.push_back(f);
+    return f;
+  }
+
+  void define(const c::FunctionDecl *decl) {
+    context_ = &decl->getASTContext();
+    functions_[decl]->body = stmt(decl->getBody());
+  }
+
+  Function *functionOf(const c::FunctionDecl *decl) { return functions_[decl]; }
+  const Record *record(const c::RecordDecl *decl);
+
+private:
+  const Type *type(c::QualType qt);
+  Loc loc(c::SourceLocation at);
+  int fileIndex(c::FileID id, const std::string &name);
+  Variable *variable(const c::VarDecl *decl, Variable::Scope scope);
+  const Variable *reference(const c::VarDecl *decl);
+  Stmt *stmt(const c::Stmt *s);
+  Stmt *declaration(const c::DeclStmt *s);
+  Expr *expr(const c::Expr *e);
+  Expr *castOf(const c::CastExpr *e);
+  Expr *unary(const c::UnaryOperator *e);
+  Expr *callOf(const c::CallExpr *e);
+  Expr *initList(const c::InitListExpr *e);
+  Expr *node(Expr::Kind kind, const c::Expr *e, std::vector<Expr *> args, const std::string &text = "");
+  Stmt *node(Stmt::Kind kind, const c::Stmt *s) {
+    Stmt n;
+    n.kind = kind;
+    n.loc = loc(s->getBeginLoc());
+    return program_.make(std::move(n));
+  }
+
+  const Source &source_;
+  Program &program_;
+  const c::ASTContext *context_ = nullptr;
+  std::map<const c::FunctionDecl *, Function *> functions_;
+  std::map<const c::VarDecl *, Variable *> variables_;
+  std::map<std::string, const Record *> records_;
+  std::map<std::string, int> files_;
+};
+
+const Type *Lowering::type(c::QualType qt) {
+  Type t;
+  t.isConst = qt.isConstQualified();
+  c::QualType canonical = qt.getCanonicalType().getUnqualifiedType();
+  if (const auto *array = context_->getAsConstantArrayType(qt)) {
+    t.kind = Type::Array;
+    t.count = static_cast<long>(array->getSize().getZExtValue());
+    t.element = type(array->getElementType());
+    t.isConst = t.element->isConst;
+  } else if (canonical->isPointerType()) {
+    t.kind = Type::Pointer;
+    t.element = type(qt->getPointeeType());
+  } else if (const auto *rec = canonical->getAs<c::RecordType>()) {
+    t.kind = Type::Struct;
+    t.record = record(rec->getDecl());
+  } else if (canonical->isVoidType()) {
+    t.kind = Type::Void;
+  } else if (canonical->isRealFloatingType()) {
+    t.kind = Type::Real;
+    t.name = canonical->isSpecificBuiltinType(c::BuiltinType::Float) ? "float" : "double";
+  } else {
+    t.kind = Type::Integer;
+    if (const auto *e = canonical->getAs<c::EnumType>()) canonical = e->getDecl()->getIntegerType().getCanonicalType();
+    t.name = canonical->isBooleanType() ? "_Bool" : canonical.getUnqualifiedType().getAsString(c::PrintingPolicy(context_->getLangOpts()));
+  }
+  return program_.make(std::move(t));
+}
+
+const Record *Lowering::record(const c::RecordDecl *decl) {
+  if (const c::RecordDecl *def = decl->getDefinition()) decl = def;
+  std::string spelling = context_ ? context_->getRecordType(decl).getAsString(c::PrintingPolicy(context_->getLangOpts())) : "";
+  if (!context_) {
+    context_ = &decl->getASTContext();
+    spelling = context_->getRecordType(decl).getAsString(c::PrintingPolicy(context_->getLangOpts()));
+  }
+  if (const c::TypedefNameDecl *name = decl->getTypedefNameForAnonDecl()) spelling = name->getNameAsString();
+  auto found = records_.find(spelling);
+  if (found != records_.end()) return found->second;
+  Record *r = program_.make(Record{});
+  records_[spelling] = r;
+  r->spelling = spelling;
+  r->tag = decl->getNameAsString();
+  r->loc = loc(decl->getLocation());
+  if (decl->isCompleteDefinition())
+    for (const c::FieldDecl *field : decl->fields()) r->fields.push_back({field->getNameAsString(), type(field->getType())});
+  program_.records.push_back(r); // after the records that its fields need
+  return r;
+}
+
+int Lowering::fileIndex(c::FileID id, const std::string &path) {
+  auto found = files_.find(path);
+  if (found != files_.end()) return found->second;
+  size_t slash = path.find_last_of('/');
+  program_.paths.push_back(path);
+  program_.files.push_back(slash == std::string::npos ? path : path.substr(slash + 1));
+  std::vector<std::string> lines;
+  std::istringstream text(context_->getSourceManager().getBufferData(id).str());
+  for (std::string line; std::getline(text, line);) lines.push_back(line);
+  program_.sources.push_back(std::move(lines));
+  return files_[path] = static_cast<int>(program_.files.size()) - 1;
+}
+
+Loc Lowering::loc(c::SourceLocation at) {
+  const c::SourceManager &sm = context_->getSourceManager();
+  c::SourceLocation place = sm.getExpansionLoc(at);
+  c::PresumedLoc p = sm.getPresumedLoc(place, false);
+  if (p.isInvalid()) return {};
+  return {fileIndex(sm.getFileID(place), p.getFilename()), p.getLine(), p.getColumn()};
+}
+
+Variable *Lowering::variable(const c::VarDecl *decl, Variable::Scope scope) {
+  Variable v;
+  v.scope = scope;
+  v.name = decl->getNameAsString();
+  v.type = type(decl->getType());
+  v.loc = loc(decl->getLocation());
+  v.isStatic = decl->isStaticLocal();
+  Variable *made = program_.make(std::move(v));
+  variables_[decl] = made;
+  if ((scope == Variable::Global || made->isStatic) && decl->getInit()) made->init = expr(decl->getInit());
+  return made;
+}
+
+const Variable *Lowering::reference(const c::VarDecl *decl) {
+  if (const c::VarDecl *init = decl->getInitializingDeclaration()) decl = init;
+  auto found = variables_.find(decl);
+  if (found != variables_.end()) return found->second;
+  Variable *global = variable(decl, Variable::Global);
+  program_.globals.push_back(global);
+  return global;
+}
+
+Stmt *Lowering::declaration(const c::DeclStmt *s) {
+  Stmt *block = node(Stmt::Block, s);
+  for (const c::Decl *d : s->decls()) {
+    const auto *decl = llvm::dyn_cast<c::VarDecl>(d);
+    if (!decl) continue; // a local type
+    Stmt *one = node(Stmt::Declare, s);
+    one->var = variable(decl, Variable::Local);
+    if (decl->getInit() && !one->var->isStatic) one->expr = expr(decl->getInit());
+    block->body.push_back(one);
+  }
+  return block;
+}
+
+Stmt *Lowering::stmt(const c::Stmt *s) {
+  if (!s || llvm::isa<c::NullStmt>(s)) {
+    Stmt empty;
+    if (s) empty.loc = loc(s->getBeginLoc());
+    return program_.make(std::move(empty));
+  }
+  if (const auto *block = llvm::dyn_cast<c::CompoundStmt>(s)) {
+    Stmt *n = node(Stmt::Block, s);
+    for (const c::Stmt *part : block->body()) {
+      if (const auto *decl = llvm::dyn_cast<c::DeclStmt>(part)) {
+        Stmt *several = declaration(decl);
+        n->body.insert(n->body.end(), several->body.begin(), several->body.end());
+      } else if (!llvm::isa<c::NullStmt>(part)) {
+        n->body.push_back(stmt(part));
+      }
+    }
+    return n;
+  }
+  if (const auto *decl = llvm::dyn_cast<c::DeclStmt>(s)) return declaration(decl);
+  if (const auto *branch = llvm::dyn_cast<c::IfStmt>(s)) {
+    Stmt *n = node(Stmt::If, s);
+    n->expr = expr(branch->getCond());
+    n->then = stmt(branch->getThen());
+    if (branch->getElse()) n->otherwise = stmt(branch->getElse());
+    return n;
+  }
+  if (const auto *loop = llvm::dyn_cast<c::ForStmt>(s)) {
+    Stmt *n = node(Stmt::For, s);
+    if (loop->getInit()) n->init = stmt(loop->getInit());
+    if (loop->getCond()) n->expr = expr(loop->getCond());
+    if (loop->getInc()) n->step = expr(loop->getInc());
+    n->then = stmt(loop->getBody());
+    return n;
+  }
+  if (const auto *loop = llvm::dyn_cast<c::WhileStmt>(s)) {
+    Stmt *n = node(Stmt::While, s);
+    n->expr = expr(loop->getCond());
+    n->then = stmt(loop->getBody());
+    return n;
+  }
+  if (const auto *loop = llvm::dyn_cast<c::DoStmt>(s)) {
+    Stmt *n = node(Stmt::DoWhile, s);
+    n->then = stmt(loop->getBody());
+    n->expr = expr(loop->getCond());
+    return n;
+  }
+  if (llvm::isa<c::BreakStmt>(s)) return node(Stmt::Break, s);
+  if (llvm::isa<c::ContinueStmt>(s)) return node(Stmt::Continue, s);
+  if (const auto *ret = llvm::dyn_cast<c::ReturnStmt>(s)) {
+    Stmt *n = node(Stmt::Return, s);
+    if (ret->getRetValue()) n->expr = expr(ret->getRetValue());
+    return n;
+  }
+  Stmt *n = node(Stmt::Evaluate, s);
+  n->expr = expr(llvm::cast<c::Expr>(s));
+  return n;
+}
+
+Expr *Lowering::node(Expr::Kind kind, const c::Expr *e, std::vector<Expr *> args, const std::string &text) {
+  Expr n;
+  n.kind = kind;
+  n.type = type(e->getType());
+  n.loc = loc(e->getExprLoc());
+  n.text = text;
+  n.args = std::move(args);
+  return program_.make(std::move(n));
+}
+
+Expr *Lowering::castOf(const c::CastExpr *e) {
+  Expr *inner = expr(e->getSubExpr());
+  switch (e->getCastKind()) {
+  case c::CK_LValueToRValue:
+  case c::CK_NoOp: return inner;
+  case c::CK_ArrayToPointerDecay: return node(Expr::Decay, e, {inner});
+  case c::CK_FloatingToBoolean:
+  case c::CK_IntegralToBoolean: // a condition, or a conversion to _Bool
+  default: return node(Expr::Cast, e, {inner});
+  }
+}
+
+Expr *Lowering::unary(const c::UnaryOperator *e) {
+  Expr *inner = expr(e->getSubExpr());
+  switch (e->getOpcode()) {
+  case c::UO_Deref: return node(Expr::Deref, e, {inner});
+  case c::UO_AddrOf: return node(Expr::AddressOf, e, {inner});
+  case c::UO_PreInc:
+  case c::UO_PreDec:
+  case c::UO_PostInc:
+  case c::UO_PostDec: {
+    Expr *n = node(Expr::Step, e, {inner}, e->isIncrementOp() ? "++" : "--");
+    n->prefix = e->isPrefix();
+    return n;
+  }
+  default: return node(Expr::Unary, e, {inner}, c::UnaryOperator::getOpcodeStr(e->getOpcode()).str());
+  }
+}
+
+Expr *Lowering::callOf(const c::CallExpr *e) {
+  std::vector<Expr *> args;
+  for (const c::Expr *arg : e->arguments()) args.push_back(expr(arg));
+  const c::FunctionDecl *callee = e->getDirectCallee();
+  if (mathCallee(callee, source_)) return node(Expr::MathCall, e, std::move(args), callee->getNameAsString());
+  Expr *n = node(Expr::Call, e, std::move(args));
+  n->callee = functions_.at(source_.definition(callee));
+  return n;
+}
+
+Expr *Lowering::initList(const c::InitListExpr *e) {
+  if (const c::InitListExpr *semantic = e->getSemanticForm()) e = semantic;
+  std::vector<Expr *> items;
+  for (const c::Expr *item : e->inits()) items.push_back(item && !llvm::isa<c::ImplicitValueInitExpr>(item) ? expr(item) : nullptr);
+  return node(Expr::InitList, e, std::move(items));
+}
+
+Expr *Lowering::expr(const c::Expr *e) {
+  e = e->IgnoreParens();
+  if (const auto *constant = llvm::dyn_cast<c::ConstantExpr>(e)) return expr(constant->getSubExpr());
+  if (const auto *lit = llvm::dyn_cast<c::IntegerLiteral>(e)) {
+    llvm::SmallString<24> text;
+    bool isSigned = e->getType()->isSignedIntegerType();
+    lit->getValue().toString(text, 10, isSigned);
+    std::string suffix = isSigned ? "" : "u";
+    if (e->getType()->isSpecificBuiltinType(c::BuiltinType::Long) || e->getType()->isSpecificBuiltinType(c::BuiltinType::ULong)) suffix += "l";
+    if (e->getType()->isSpecificBuiltinType(c::BuiltinType::LongLong) || e->getType()->isSpecificBuiltinType(c::BuiltinType::ULongLong)) suffix += "ll";
+    return node(Expr::Literal, e, {}, text.str().str() + suffix);
+  }
+  if (const auto *lit = llvm::dyn_cast<c::CharacterLiteral>(e)) return node(Expr::Literal, e, {}, std::to_string(lit->getValue()));
+  if (const auto *lit = llvm::dyn_cast<c::FloatingLiteral>(e)) {
+    bool isFloat = e->getType()->isSpecificBuiltinType(c::BuiltinType::Float);
+    double value = isFloat ? static_cast<double>(lit->getValue().convertToFloat()) : lit->getValue().convertToDouble();
+    return node(Expr::Literal, e, {}, printDouble(value) + (isFloat ? "f" : ""));
+  }
+  if (const auto *size = llvm::dyn_cast<c::UnaryExprOrTypeTraitExpr>(e)) {
+    c::Expr::EvalResult result;
+    size->EvaluateAsInt(result, *context_);
+    llvm::SmallString<24> text;
+    result.Val.getInt().toString(text, 10);
+    return node(Expr::Literal, e, {}, text.str().str() + "u");
+  }
+  if (const auto *ref = llvm::dyn_cast<c::DeclRefExpr>(e)) {
+    if (const auto *constant = llvm::dyn_cast<c::EnumConstantDecl>(ref->getDecl())) {
+      llvm::SmallString<24> text;
+      constant->getInitVal().toString(text, 10);
+      return node(Expr::Literal, e, {}, text.str().str());
+    }
+    Expr *n = node(Expr::Ref, e, {});
+    n->var = reference(llvm::cast<c::VarDecl>(ref->getDecl()));
+    return n;
+  }
+  if (const auto *sub = llvm::dyn_cast<c::ArraySubscriptExpr>(e)) return node(Expr::Index, e, {expr(sub->getBase()), expr(sub->getIdx())});
+  if (const auto *member = llvm::dyn_cast<c::MemberExpr>(e)) {
+    Expr *n = node(Expr::Member, e, {expr(member->getBase())}, member->getMemberDecl()->getNameAsString());
+    n->arrow = member->isArrow();
+    return n;
+  }
+  if (const auto *cast = llvm::dyn_cast<c::CastExpr>(e)) return castOf(cast);
+  if (const auto *op = llvm::dyn_cast<c::UnaryOperator>(e)) return unary(op);
+  if (const auto *op = llvm::dyn_cast<c::BinaryOperator>(e)) {
+    Expr::Kind kind = op->isAssignmentOp() ? Expr::Assign : op->getOpcode() == c::BO_Comma ? Expr::Comma : Expr::Binary;
+    return node(kind, e, {expr(op->getLHS()), expr(op->getRHS())}, op->getOpcodeStr().str());
+  }
+  if (const auto *cond = llvm::dyn_cast<c::ConditionalOperator>(e))
+    return node(Expr::Conditional, e, {expr(cond->getCond()), expr(cond->getTrueExpr()), expr(cond->getFalseExpr())});
+  if (const auto *call = llvm::dyn_cast<c::CallExpr>(e)) return callOf(call);
+  if (const auto *list = llvm::dyn_cast<c::InitListExpr>(e)) return initList(list);
+  if (const auto *compound = llvm::dyn_cast<c::CompoundLiteralExpr>(e)) {
+    Expr *list = expr(compound->getInitializer());
+    list->text = "compound";
+    return list;
+  }
+  if (llvm::isa<c::ImplicitValueInitExpr>(e)) return node(Expr::Literal, e, {}, "0");
+  llvm_unreachable("an expression that Subset accepts and Lower does not know");
+}
+
+} // namespace
+
+void lower(const Source &source, const Match &match, const std::vector<const c::FunctionDecl *> &functions, const std::string &modelName,
+           Program &program, Model &model) {
+  Lowering lowering(source, program);
+  for (const c::FunctionDecl *f : functions) lowering.declare(f);
+  for (const c::FunctionDecl *f : functions) lowering.define(f);
+  model.name = modelName;
+  model.dof = match.dof;
+  if (match.params) model.params = lowering.record(match.params);
+  for (const Matched &m : match.functions) model.functions.push_back({m.role, lowering.functionOf(m.function), m.args, m.rows});
+}
+
+} // namespace tlgen

@@ -1,0 +1,172 @@
+// Finds the functions of the model by options and marks, and what each of their parameters is.
+#include "Match.h"
+
+#include "clang/AST/ASTContext.h"
+#include "clang/AST/Attr.h"
+
+namespace tlgen {
+namespace {
+
+const char *const mark = "tlgen:";
+
+// The text behind "tlgen:" of a mark on the declaration or an earlier one of it; empty where there is none.
+std::string markOf(const clang::Decl *decl) {
+  for (const clang::Decl *d = decl; d; d = d->getPreviousDecl())
+    for (const auto *a : d->specific_attrs<clang::AnnotateAttr>())
+      if (a->getAnnotation().substr(0, 6) == mark) return a->getAnnotation().substr(6).str();
+  return "";
+}
+
+bool parseRole(const std::string &text, ArgRole &role) {
+  static const std::pair<const char *, ArgRole> names[] = {
+      {"q", ArgRole::Q}, {"qd", ArgRole::Qd}, {"t", ArgRole::T}, {"p", ArgRole::Params}, {"out", ArgRole::Out}};
+  for (const auto &n : names)
+    if (text == n.first) return role = n.second, true;
+  return false;
+}
+
+bool isDoublePointer(clang::QualType type) {
+  return type->isPointerType() && type->getPointeeType()->isSpecificBuiltinType(clang::BuiltinType::Double);
+}
+
+bool fitsRole(const clang::ParmVarDecl *param, ArgRole role) {
+  clang::QualType type = param->getType();
+  switch (role) {
+  case ArgRole::Q:
+  case ArgRole::Qd: return isDoublePointer(type);
+  case ArgRole::Out: return isDoublePointer(type) && !type->getPointeeType().isConstQualified();
+  case ArgRole::T: return type->isSpecificBuiltinType(clang::BuiltinType::Double);
+  case ArgRole::Params: return type->isPointerType() && type->getPointeeType()->isStructureType();
+  }
+  return false;
+}
+
+class Matcher {
+public:
+  Matcher(const Source &source, const Options &options, Diagnostics &diags) : source_(source), options_(options), diags_(diags) {}
+
+  Match run() {
+    if (!options_.lagrangian.empty()) addNamed(Role::Lagrangian, options_.lagrangian, "");
+    if (!options_.force.empty()) addNamed(Role::Force, options_.force, "");
+    for (const FunctionOption &f : options_.holonomic) addNamed(Role::Holonomic, f.name, f.rows);
+    for (const FunctionOption &f : options_.nonholonomic) addNamed(Role::Nonholonomic, f.name, f.rows);
+    addMarked();
+    std::stable_sort(match_.functions.begin(), match_.functions.end(), [](const Matched &a, const Matched &b) { return a.role < b.role; });
+    checkLagrangian();
+    match_.dof = count(options_.dof, options_.dof.empty() ? "no-dof" : "bad-dof", "--dof " + options_.dof);
+    return match_;
+  }
+
+private:
+  void addNamed(Role role, const std::string &name, const std::string &rows) {
+    const clang::FunctionDecl *function = source_.find(name);
+    if (!function) return diags_.add("no-function", options_.sources[0], 0, 0, "'" + name + "'");
+    add(role, function, rows);
+  }
+
+  void addMarked() {
+    for (const clang::FunctionDecl *function : source_.definitions()) {
+      std::string text = markOf(function), name = text.substr(0, text.find(':'));
+      std::string rows = name.size() < text.size() ? text.substr(name.size() + 1) : "";
+      if (text.empty()) continue;
+      if (name == "lagrangian") add(Role::Lagrangian, function, rows);
+      else if (name == "force") add(Role::Force, function, rows);
+      else if (name == "holonomic") add(Role::Holonomic, function, rows);
+      else if (name == "nonholonomic") add(Role::Nonholonomic, function, rows);
+      else source_.report("role-unknown", function->getASTContext(), function->getLocation(), "mark '" + text + "'");
+    }
+  }
+
+  void add(Role role, const clang::FunctionDecl *function, const std::string &rows) {
+    for (const Matched &m : match_.functions)
+      if (m.role == role && m.function == function) return; // named and marked
+    Matched m{role, function, {}, {}};
+    for (const clang::ParmVarDecl *param : function->parameters()) m.args.push_back(argRole(param));
+    checkArgs(m);
+    takeParams(m);
+    if (role == Role::Holonomic || role == Role::Nonholonomic)
+      m.rows = count(rows.empty() ? "1" : rows, "bad-rows", "'" + function->getNameAsString() + ":" + rows + "'");
+    else m.rows.value = 1;
+    bool returnsRow = function->getReturnType()->isSpecificBuiltinType(clang::BuiltinType::Double);
+    if (returnsRow && !(m.rows.member.empty() && m.rows.value == 1))
+      fault("role-missing", function, "'" + function->getNameAsString() + "' returns one row");
+    match_.functions.push_back(m);
+  }
+
+  ArgRole argRole(const clang::ParmVarDecl *param) {
+    ArgRole role = ArgRole::Q;
+    std::string name = param->getNameAsString(), text = markOf(param);
+    auto option = options_.args.find(name);
+    if (option != options_.args.end()) text = option->second;
+    if (text.empty()) text = name;
+    if (!parseRole(text, role)) fault("role-unknown", param, "parameter '" + name + "'");
+    else if (!fitsRole(param, role)) fault("role-type", param, "parameter '" + name + "' of type '" + param->getType().getAsString() + "'");
+    return role;
+  }
+
+  void checkArgs(const Matched &m) {
+    bool seen[5] = {};
+    for (size_t i = 0; i < m.args.size(); ++i) {
+      bool &s = seen[static_cast<int>(m.args[i])];
+      if (s) fault("role-twice", m.function->getParamDecl(static_cast<unsigned>(i)), "parameter '" + m.function->getParamDecl(static_cast<unsigned>(i))->getNameAsString() + "'");
+      s = true;
+    }
+    bool returns = m.function->getReturnType()->isSpecificBuiltinType(clang::BuiltinType::Double);
+    bool out = seen[static_cast<int>(ArgRole::Out)];
+    std::string name = "'" + m.function->getNameAsString() + "'";
+    if (returns == out || (!returns && !m.function->getReturnType()->isVoidType())) fault("role-missing", m.function, name + " has no result, or two");
+    if (m.role == Role::Force && !out) fault("role-missing", m.function, name + " has no 'out'");
+    if (!seen[static_cast<int>(ArgRole::Q)] && !seen[static_cast<int>(ArgRole::Qd)]) fault("role-missing", m.function, name + " takes no coordinates");
+    if (m.role == Role::Holonomic && seen[static_cast<int>(ArgRole::Qd)])
+      fault("role-missing", m.function, name + " takes velocities, so it is not holonomic: a constraint on velocities is --nonholonomic");
+  }
+
+  void takeParams(const Matched &m) {
+    for (size_t i = 0; i < m.args.size(); ++i) {
+      const clang::ParmVarDecl *param = m.function->getParamDecl(static_cast<unsigned>(i));
+      if (m.args[i] != ArgRole::Params || !fitsRole(param, ArgRole::Params)) continue;
+      const clang::RecordDecl *record = param->getType()->getPointeeType()->getAsStructureType()->getDecl()->getDefinition();
+      if (!record) return fault("role-type", param, "parameter '" + param->getNameAsString() + "' of an incomplete struct");
+      if (!match_.params) match_.params = record;
+      else if (match_.params->getNameAsString() != record->getNameAsString() || match_.params->getASTContext().getTypeDeclType(match_.params).getAsString() != record->getASTContext().getTypeDeclType(record).getAsString())
+        fault("params-differ", param, "parameter '" + param->getNameAsString() + "'");
+    }
+  }
+
+  void checkLagrangian() {
+    const clang::FunctionDecl *first[2] = {};
+    for (const Matched &m : match_.functions) {
+      if (m.role != Role::Lagrangian && m.role != Role::Force) continue;
+      const clang::FunctionDecl *&slot = first[m.role == Role::Force];
+      if (slot) fault("role-twice", m.function, "'" + m.function->getNameAsString() + "' beside '" + slot->getNameAsString() + "'");
+      slot = m.function;
+    }
+    if (!first[0] && options_.lagrangian.empty()) diags_.add("no-lagrangian", options_.sources[0], 0, 0, "model '" + options_.model + "'");
+  }
+
+  // A positive constant or an integer member of the parameter struct.
+  Count count(const std::string &text, const char *id, const std::string &what) {
+    Count c;
+    bool digits = !text.empty() && text.find_first_not_of("0123456789") == std::string::npos && text.size() < 8;
+    if (digits) c.value = std::stol(text);
+    if (c.value > 0) return c;
+    if (!digits && match_.params)
+      for (const clang::FieldDecl *field : match_.params->fields())
+        if (field->getNameAsString() == text && field->getType()->isIntegerType()) return c.member = text, c;
+    diags_.add(id, options_.sources[0], 0, 0, what);
+    return c;
+  }
+
+  void fault(const char *id, const clang::NamedDecl *at, const std::string &what) { source_.report(id, at->getASTContext(), at->getLocation(), what); }
+
+  const Source &source_;
+  const Options &options_;
+  Diagnostics &diags_;
+  Match match_;
+};
+
+} // namespace
+
+Match matchModel(const Source &source, const Options &options, Diagnostics &diags) { return Matcher(source, options, diags).run(); }
+
+} // namespace tlgen

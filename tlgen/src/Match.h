@@ -1,0 +1,28 @@
+// Finds the functions of the model and what each of their parameters is. One of the files that see Clang.
+#ifndef TLGEN_MATCH_H
+#define TLGEN_MATCH_H
+
+#include "Options.h"
+#include "Source.h"
+
+namespace tlgen {
+
+struct Matched {
+  Role role;
+  const clang::FunctionDecl *function;
+  std::vector<ArgRole> args; // one per parameter
+  Count rows;                // forces: left to the number of coordinates
+};
+
+struct Match {
+  Count dof;
+  std::vector<Matched> functions;                // Lagrangian first, then force, holonomic and nonholonomic in the order given
+  const clang::RecordDecl *params = nullptr;
+};
+
+// Reports what is missing or contradictory; the result is whole only where diags has no error afterwards.
+Match matchModel(const Source &source, const Options &options, Diagnostics &diags);
+
+} // namespace tlgen
+
+#endif

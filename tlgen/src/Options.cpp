@@ -1,0 +1,151 @@
+// The command line of tlgen: one table of options, one loop over the arguments.
+#include "Options.h"
+#include "Diagnostics.h"
+
+#include <iostream>
+
+namespace tlgen {
+namespace {
+
+const char *const help =
+    R"(usage: tlgen [options] SOURCE.c [SOURCE.c ..] [-- compiler arguments]
+
+Reads a Lagrangian, and constraint and force functions, written as plain C, and writes them as functions on truncated Taylor
+series, so that the runtime gets every derivative exactly. The C source stays as it is.
+
+Model
+  --lagrangian NAME      the function L(q,qd,t), in J
+  --holonomic NAME[:M]   a constraint function phi(q,t) = 0 with M rows; may be repeated
+  --nonholonomic NAME[:M]  a constraint function psi(q,qd,t) = 0; may be repeated
+  --force NAME           the generalized force (one row per coordinate)
+  --dof N                the number of coordinates: a constant, or the name of an integer member of the parameter struct
+  --model NAME           name of the model (default: the first source's name without its ending)
+  --arg ROLE=NAME        a parameter called NAME has this role: q, qd, t, p (parameter struct) or out.
+                         Parameters with those very names need no option.
+  M may be a constant (default 1) or the name of an integer member of the parameter struct. Functions can also be marked in the
+  source: TLGEN(lagrangian), TLGEN(holonomic:3), and TLGEN(q) on a parameter, with the macro of <taylor/tlgen.h>.
+
+Output
+  -o FILE.c              where to write (default: SOURCE_tl.c); FILE.h is written beside it
+  -MD                    also write FILE.c.d, a make rule of all files that were read
+  -p DIR                 take the compiler arguments from DIR/compile_commands.json
+
+Help
+  --explain ID           explain the message with this id; without ID list all ids
+  --version, --help
+
+Example
+  tlgen pendulum.c --lagrangian pendulum_lagrangian --dof n -o pendulum_tl.c -- -Iinclude
+Then compile pendulum_tl.c with your program, include pendulum_tl.h, and hand pendulum_model to the runtime.
+Exit status: 0 written, 1 the source was refused (nothing is written), 2 wrong usage.
+)";
+
+bool usageError(const std::string &message) {
+  std::cerr << "tlgen: " << message << "\nTry 'tlgen --help'.\n";
+  return false;
+}
+
+FunctionOption splitRows(const std::string &text) {
+  size_t colon = text.find(':');
+  if (colon == std::string::npos) return {text, ""};
+  return {text.substr(0, colon), text.substr(colon + 1)};
+}
+
+bool addArg(Options &o, const std::string &text) {
+  size_t eq = text.find('=');
+  if (eq == std::string::npos || eq == 0 || eq + 1 == text.size()) return usageError("--arg wants ROLE=NAME, for example --arg q=theta");
+  std::string role = text.substr(0, eq);
+  if (role != "q" && role != "qd" && role != "t" && role != "p" && role != "out")
+    return usageError("--arg: '" + role + "' is no role; the roles are q, qd, t, p and out");
+  if (!o.args.emplace(text.substr(eq + 1), role).second)
+    return usageError("--arg: the parameter '" + text.substr(eq + 1) + "' has two roles");
+  return true;
+}
+
+bool setOnce(std::string &slot, const std::string &name, const std::string &value) {
+  if (!slot.empty()) return usageError(name + " is given twice");
+  if (value.empty()) return usageError(name + " is empty");
+  slot = value;
+  return true;
+}
+
+bool setOption(Options &o, const std::string &name, const std::string &value) {
+  if (name == "--lagrangian") return setOnce(o.lagrangian, name, value);
+  if (name == "--force") return setOnce(o.force, name, value);
+  if (name == "--dof") return setOnce(o.dof, name, value);
+  if (name == "--model") return setOnce(o.model, name, value);
+  if (name == "-o") return setOnce(o.output, name, value);
+  if (name == "-p") return setOnce(o.compileCommands, name, value);
+  if (name == "--arg") return addArg(o, value);
+  if (name == "--holonomic") return o.holonomic.push_back(splitRows(value)), true;
+  if (name == "--nonholonomic") return o.nonholonomic.push_back(splitRows(value)), true;
+  return usageError("unknown option '" + name + "'");
+}
+
+bool isIdentifier(const std::string &s) {
+  for (size_t i = 0; i < s.size(); ++i)
+    if (!(isalpha(static_cast<unsigned char>(s[i])) || s[i] == '_' || (i > 0 && isdigit(static_cast<unsigned char>(s[i]))))) return false;
+  return !s.empty();
+}
+
+std::string stem(const std::string &path) {
+  size_t slash = path.find_last_of('/');
+  std::string file = slash == std::string::npos ? path : path.substr(slash + 1);
+  return file.substr(0, file.find_last_of('.'));
+}
+
+bool complete(Options &o) {
+  if (o.sources.empty()) return usageError("no source file given");
+  if (o.model.empty()) o.model = stem(o.sources[0]);
+  if (!isIdentifier(o.model)) return usageError("'" + o.model + "' cannot be a model's name in C; say --model NAME");
+  if (o.output.empty()) o.output = stem(o.sources[0]) + "_tl.c";
+  if (o.output.size() < 3 || o.output.substr(o.output.size() - 2) != ".c") return usageError("-o: the file name must end in .c");
+  for (const std::string &s : o.sources)
+    if (s == o.output) return usageError("-o: " + s + " is a source; it would be overwritten");
+  return true;
+}
+
+Command explain(const std::string &id) {
+  if (id.empty()) {
+    for (const DiagnosticKind &k : allDiagnostics()) std::cout << k.id << ": " << k.why << '\n';
+    return Command::Done;
+  }
+  const DiagnosticKind *kind = findDiagnostic(id);
+  if (!kind) {
+    usageError("no message has the id '" + id + "'; 'tlgen --explain' lists them");
+    return Command::Fail;
+  }
+  std::cout << kind->id << " (" << (kind->severity == Severity::Error ? "error" : "warning") << ")\n"
+            << kind->why << "\nInstead: " << kind->instead << '\n';
+  return Command::Done;
+}
+
+} // namespace
+
+Command parseOptions(int argc, const char *const *argv, Options &o) {
+  for (int i = 1; i < argc; ++i) {
+    std::string arg = argv[i];
+    if (arg == "--") {
+      o.compilerArgs.assign(argv + i + 1, argv + argc);
+      break;
+    }
+    if (arg == "--help" || arg == "-h") return std::cout << help, Command::Done;
+    if (arg == "--version") return std::cout << "tlgen " TLGEN_VERSION " (Clang " TLGEN_CLANG_VERSION ")\n", Command::Done;
+    if (arg == "--explain") return explain(i + 1 < argc ? argv[i + 1] : "");
+    if (arg == "-MD") {
+      o.depfile = true;
+      continue;
+    }
+    if (arg.size() < 2 || arg[0] != '-') {
+      o.sources.push_back(arg);
+      continue;
+    }
+    size_t eq = arg.rfind("--", 0) == 0 ? arg.find('=') : std::string::npos;
+    std::string name = arg.substr(0, eq);
+    if (eq == std::string::npos && i + 1 >= argc) return usageError(name + " wants a value (or is no option)"), Command::Fail;
+    if (!setOption(o, name, eq == std::string::npos ? argv[++i] : arg.substr(eq + 1))) return Command::Fail;
+  }
+  return complete(o) ? Command::Generate : Command::Fail;
+}
+
+} // namespace tlgen

@@ -1,0 +1,121 @@
+// C text: declarators, expressions, initialisers.
+#include "PrintC.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <map>
+
+namespace tlgen {
+
+std::string operand(const Text &t, int least) { return t.precedence >= least ? t.s : "(" + t.s + ")"; }
+
+int precedenceOf(const std::string &op) {
+  static const std::map<std::string, int> table = {{"*", Product}, {"/", Product}, {"%", Product}, {"+", Sum}, {"-", Sum}, {"<<", Shift},
+      {">>", Shift}, {"<", Relation}, {">", Relation}, {"<=", Relation}, {">=", Relation}, {"==", Equality}, {"!=", Equality}, {"&", BitAnd},
+      {"^", BitXor}, {"|", BitOr}, {"&&", And}, {"||", Or}, {",", Sequence}};
+  auto it = table.find(op);
+  return it == table.end() ? Assignment : it->second;
+}
+
+Text binaryText(const std::string &op, const Text &a, const Text &b) {
+  int p = precedenceOf(op);
+  if (p == Assignment) return {operand(a, Prefix) + " " + op + " " + operand(b, Assignment), p};
+  // Compilers warn where && stands in ||, and where arithmetic or comparisons stand bare in shifts, bit operations and comparisons.
+  bool arithmetic = p == Product || p == Sum;
+  int least = p;
+  if (!arithmetic && p != And && p != Or) least = p == Relation || p == Equality ? Sum : Prefix;
+  if (p == Or) least = Equality;
+  int right = arithmetic ? p + 1 : least;
+  if (op == "," ) return {operand(a, Sequence) + ", " + operand(b, Assignment), p};
+  std::string left = operand(a, p == And && a.precedence == And ? And : p == Or && a.precedence == Or ? Or : p == And ? BitOr : least);
+  std::string r = operand(b, p == And ? BitOr : right);
+  return {left + " " + op + " " + r, p};
+}
+
+Text unaryText(const std::string &op, const Text &a) {
+  std::string s = operand(a, Prefix);
+  bool glued = !s.empty() && (s[0] == op[0]); // - -x, not --x
+  return {op + (glued ? " " : "") + s, Prefix};
+}
+
+std::string declaration(const Type *type, const std::string &name) {
+  switch (type->kind) {
+  case Type::Array: return declaration(type->element, name + "[" + std::to_string(type->count) + "]");
+  case Type::Pointer: {
+    std::string inner = std::string("*") + (type->isConst ? "const " : "") + name;
+    return declaration(type->element, type->element->kind == Type::Array ? "(" + inner + ")" : inner);
+  }
+  default: {
+    std::string base = type->kind == Type::Void ? "void" : type->kind == Type::Struct ? type->record->spelling : type->name;
+    return std::string(type->isConst ? "const " : "") + base + (name.empty() || name[0] == '[' ? "" : " ") + name;
+  }
+  }
+}
+
+std::string definition(const Record *record) {
+  if (record->fields.empty()) return record->spelling + ";\n";
+  bool anonymous = record->tag.empty();
+  std::string s = anonymous ? "typedef struct {\n" : "struct " + record->tag + " {\n";
+  for (const Field &field : record->fields) s += "  " + declaration(field.type, field.name) + ";\n";
+  return s + (anonymous ? "} " + record->spelling : "}") + ";\n";
+}
+
+std::string initializer(const Expr *e) {
+  if (!e) return "0";
+  switch (e->kind) {
+  case Expr::InitList: {
+    std::string s = "{";
+    for (size_t i = 0; i < e->args.size(); ++i) s += (i ? ", " : "") + initializer(e->args[i]);
+    return s + (e->args.empty() ? "0}" : "}");
+  }
+  case Expr::Literal: return e->text;
+  case Expr::Unary: return unaryText(e->text, {initializer(e->args[0]), e->args[0]->kind == Expr::Literal ? Primary : Sequence}).s;
+  case Expr::Binary: return "(" + initializer(e->args[0]) + " " + e->text + " " + initializer(e->args[1]) + ")";
+  case Expr::Cast: return "(" + declaration(e->type, "") + ")" + operand({initializer(e->args[0]), e->args[0]->kind == Expr::Literal ? Primary : Sequence}, Prefix);
+  case Expr::Conditional: return "(" + initializer(e->args[0]) + " ? " + initializer(e->args[1]) + " : " + initializer(e->args[2]) + ")";
+  case Expr::MathCall: {
+    std::string s = e->text + "(";
+    for (size_t i = 0; i < e->args.size(); ++i) s += (i ? ", " : "") + initializer(e->args[i]);
+    return s + ")";
+  }
+  case Expr::Ref: return e->var->name;
+  case Expr::Index: return initializer(e->args[0]) + "[" + initializer(e->args[1]) + "]";
+  case Expr::Decay: return initializer(e->args[0]);
+  default: std::abort(); // Subset lets no other kind into a constant
+  }
+}
+
+long elements(const Type *type) {
+  if (type->kind == Type::Array) return type->count * elements(type->element);
+  if (type->kind != Type::Struct) return 1;
+  long n = 0;
+  for (const Field &field : type->record->fields) n += elements(field.type);
+  return n;
+}
+
+long fieldOffset(const Record *record, const std::string &name) {
+  long n = 0;
+  for (const Field &field : record->fields) {
+    if (field.name == name) break;
+    n += elements(field.type);
+  }
+  return n;
+}
+
+bool allReal(const Type *type) {
+  if (type->kind == Type::Array) return allReal(type->element);
+  if (type->kind != Type::Struct) return type->kind == Type::Real;
+  return std::all_of(type->record->fields.begin(), type->record->fields.end(), [](const Field &f) { return allReal(f.type); });
+}
+
+std::string commentText(std::string text) {
+  text = text.substr(0, std::min(text.find("/*"), text.find("//"))); // the source's own comment
+  size_t first = text.find_first_not_of(" \t"), last = text.find_last_not_of(" \t\r\\");
+  text = first == std::string::npos || last == std::string::npos ? "" : text.substr(first, last - first + 1);
+  for (size_t at; (at = text.find("*/")) != std::string::npos;) text.replace(at, 2, "* /");
+  for (char &ch : text)
+    if (ch == '\t') ch = ' ';
+  return text;
+}
+
+} // namespace tlgen

@@ -1,0 +1,46 @@
+// C text: declarators and expressions with as few parentheses as compilers accept without a warning.
+#ifndef TLGEN_PRINTC_H
+#define TLGEN_PRINTC_H
+
+#include "Program.h"
+
+namespace tlgen {
+
+// Binding strength of C operators, strongest first.
+enum Precedence { Primary = 16, Postfix = 15, Prefix = 14, Product = 12, Sum = 11, Shift = 10, Relation = 9, Equality = 8, BitAnd = 7, BitXor = 6, BitOr = 5, And = 4, Or = 3, Choice = 2, Assignment = 1, Sequence = 0 };
+
+struct Text {
+  std::string s;
+  int precedence = Primary;
+};
+
+// The text as an operand that must bind at least so strongly.
+std::string operand(const Text &t, int least);
+
+// a op b, and op a.
+Text binaryText(const std::string &op, const Text &a, const Text &b);
+Text unaryText(const std::string &op, const Text &a);
+int precedenceOf(const std::string &binaryOperator);
+
+// The declaration of name with that type, without a semicolon: "const double *x", "int a[3]".
+std::string declaration(const Type *type, const std::string &name);
+
+// A struct's definition, members on lines of their own.
+std::string definition(const Record *record);
+
+// A literal or initialiser list without active values.
+std::string initializer(const Expr *e);
+
+// How many numbers an object of the type holds: 1, or those of all elements of an array or members of a struct.
+long elements(const Type *type);
+
+// How many numbers stand before a member of a struct, and whether all members are numbers, or arrays or structs of them.
+long fieldOffset(const Record *record, const std::string &field);
+bool allReal(const Type *type);
+
+// A source line as it can stand inside a comment: without its own comments, no trailing backslash, tabs as blanks.
+std::string commentText(std::string text);
+
+} // namespace tlgen
+
+#endif

@@ -1,0 +1,162 @@
+// The intermediate program: plain data between the lowering of Clang's tree and the analyses and emitters.
+//
+// Every node keeps its source location. Nodes are owned by the Program and never freed before it, so plain pointers link them.
+#ifndef TLGEN_PROGRAM_H
+#define TLGEN_PROGRAM_H
+
+#include <deque>
+#include <string>
+#include <vector>
+
+namespace tlgen {
+
+struct Expr;
+struct Function;
+struct Record;
+struct Stmt;
+
+// A place in the source. file indexes Program::files and paths; line and column count from 1, and line 0 means no place.
+struct Loc {
+  int file = -1;
+  unsigned line = 0, column = 0;
+};
+
+struct Type {
+  enum Kind { Void, Integer, Real, Pointer, Array, Struct } kind = Void;
+  std::string name;              // Integer and Real: the C spelling
+  const Type *element = nullptr; // Pointer, Array
+  long count = 0;                // Array: number of elements
+  const Record *record = nullptr;
+  bool isConst = false;
+};
+
+struct Field {
+  std::string name;
+  const Type *type;
+};
+
+struct Record {
+  std::string spelling; // as a type name: "struct pendulum", "pendulum_t"
+  std::string tag;      // after "struct", empty for an anonymous one behind a typedef
+  std::vector<Field> fields;
+  Loc loc;
+};
+
+struct Variable {
+  enum Scope { Local, Parameter, Global } scope = Local;
+  std::string name;
+  const Type *type = nullptr;
+  Loc loc;
+  const Expr *init = nullptr; // Global tables, and locals that are static const
+  bool isStatic = false;
+};
+
+struct Expr {
+  enum Kind {
+    Literal,     // text
+    Ref,         // var
+    Index,       // args[0][args[1]]
+    Member,      // args[0].text, or -> where arrow
+    Deref,       // *args[0]
+    AddressOf,   // &args[0]
+    Decay,       // an array as a pointer to its first element
+    Unary,       // text args[0]
+    Binary,      // args[0] text args[1], comparisons and && || included
+    Conditional, // args[0] ? args[1] : args[2]
+    Call,        // callee(args)
+    MathCall,    // text(args): a function of math.h
+    Cast,        // (type)args[0], written or implied
+    Assign,      // args[0] text args[1], text "=", "+=", ...
+    Step,        // text is "++" or "--", before where prefix
+    Comma,       // args[0], args[1]
+    InitList     // {args}; a null argument is a zero; text is "compound" for a compound literal, which names its type
+  } kind = Literal;
+  const Type *type = nullptr;
+  Loc loc;
+  std::string text;
+  std::vector<Expr *> args;
+  const Variable *var = nullptr;
+  Function *callee = nullptr;
+  bool arrow = false, prefix = false;
+};
+
+struct Stmt {
+  enum Kind { Block, Declare, Evaluate, If, While, DoWhile, For, Break, Continue, Return } kind = Block;
+  Loc loc;
+  std::vector<Stmt *> body;            // Block
+  const Variable *var = nullptr;       // Declare
+  Expr *expr = nullptr;                // Declare: initialiser; If and loops: condition; Evaluate; Return
+  Expr *step = nullptr;                // For
+  Stmt *init = nullptr;                // For: a Block of declarations or an Evaluate
+  Stmt *then = nullptr, *otherwise = nullptr; // If; the loops keep their body in then
+};
+
+struct Function {
+  std::string name;
+  const Type *result = nullptr;
+  std::vector<const Variable *> params;
+  Stmt *body = nullptr;
+  Loc loc;
+};
+
+// What a function of the model is for.
+enum class Role { Lagrangian, Force, Holonomic, Nonholonomic };
+
+// What a parameter of such a function is.
+enum class ArgRole { Q, Qd, T, Params, Out };
+
+// A count that is a constant or an integer member of the parameter struct.
+struct Count {
+  long value = 0;
+  std::string member; // empty: the constant
+};
+
+struct ModelFunction {
+  Role role;
+  Function *function = nullptr;
+  std::vector<ArgRole> args; // one per parameter
+  Count rows;
+};
+
+struct Model {
+  std::string name;
+  Count dof;
+  std::vector<ModelFunction> functions;
+  const Record *params = nullptr; // null where no function takes parameters
+};
+
+class Program {
+public:
+  std::vector<std::string> paths;                // of the files, as the user gave them
+  std::vector<std::string> files;                // their names as quoted in output: without folders
+  std::vector<std::vector<std::string>> sources; // their lines
+  std::vector<const Record *> records;           // in the order of definition
+  std::vector<const Variable *> globals;
+  std::vector<Function *> functions; // callees before callers
+
+  Type *make(Type t) { return &types_.emplace_back(std::move(t)); }
+  Expr *make(Expr e) { return &exprs_.emplace_back(std::move(e)); }
+  Stmt *make(Stmt s) { return &stmts_.emplace_back(std::move(s)); }
+  Variable *make(Variable v) { return &vars_.emplace_back(std::move(v)); }
+  Function *make(Function f) { return &funcs_.emplace_back(std::move(f)); }
+  Record *make(Record r) { return &recs_.emplace_back(std::move(r)); }
+
+private:
+  std::deque<Type> types_;
+  std::deque<Expr> exprs_;
+  std::deque<Stmt> stmts_;
+  std::deque<Variable> vars_;
+  std::deque<Function> funcs_;
+  std::deque<Record> recs_;
+};
+
+// The functions of math.h that the algebra knows. arity counts the arguments.
+struct MathFunction {
+  const char *name;
+  int arity;
+};
+const MathFunction *findMath(const std::string &name);
+
+} // namespace tlgen
+
+#endif

@@ -1,0 +1,37 @@
+// The parsed sources as one body of code.
+#include "Source.h"
+
+#include "clang/AST/ASTContext.h"
+#include "clang/Basic/SourceManager.h"
+
+namespace tlgen {
+
+Source::Source(const std::vector<std::unique_ptr<clang::ASTUnit>> &units, Diagnostics &diags) : diags_(diags) {
+  for (const auto &unit : units)
+    for (const clang::Decl *decl : unit->getASTContext().getTranslationUnitDecl()->decls()) {
+      const auto *function = llvm::dyn_cast<clang::FunctionDecl>(decl);
+      if (!function || !function->isThisDeclarationADefinition()) continue;
+      definitions_.push_back(function);
+      byName_.emplace(function->getNameAsString(), function);
+    }
+}
+
+const clang::FunctionDecl *Source::find(const std::string &name) const {
+  auto it = byName_.find(name);
+  return it == byName_.end() ? nullptr : it->second;
+}
+
+const clang::FunctionDecl *Source::definition(const clang::FunctionDecl *declared) const {
+  if (const clang::FunctionDecl *here = declared->getDefinition()) return here;
+  const clang::FunctionDecl *elsewhere = find(declared->getNameAsString());
+  return elsewhere && elsewhere->isExternallyVisible() ? elsewhere : nullptr;
+}
+
+void Source::report(const char *id, const clang::ASTContext &context, clang::SourceLocation at, const std::string &what) const {
+  const clang::SourceManager &sm = context.getSourceManager();
+  clang::PresumedLoc loc = sm.getPresumedLoc(sm.getExpansionLoc(at));
+  if (loc.isValid()) diags_.add(id, loc.getFilename(), loc.getLine(), loc.getColumn(), what);
+  else diags_.add(id, "", 0, 0, what);
+}
+
+} // namespace tlgen

@@ -1,0 +1,39 @@
+// The parsed sources as one body of code: functions by name across translation units, and places. One of the files that see Clang.
+#ifndef TLGEN_SOURCE_H
+#define TLGEN_SOURCE_H
+
+#include "Diagnostics.h"
+
+#include "clang/AST/Decl.h"
+#include "clang/Frontend/ASTUnit.h"
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace tlgen {
+
+class Source {
+public:
+  Source(const std::vector<std::unique_ptr<clang::ASTUnit>> &units, Diagnostics &diags);
+
+  // All functions with a body, in the order of the files.
+  const std::vector<const clang::FunctionDecl *> &definitions() const { return definitions_; }
+  // The definition with that name, or null.
+  const clang::FunctionDecl *find(const std::string &name) const;
+  // The definition of a declared function, here or in another translation unit; null where there is none.
+  const clang::FunctionDecl *definition(const clang::FunctionDecl *declared) const;
+
+  // Reports a fault at a place of the source.
+  void report(const char *id, const clang::ASTContext &context, clang::SourceLocation at, const std::string &what) const;
+
+private:
+  std::vector<const clang::FunctionDecl *> definitions_;
+  std::map<std::string, const clang::FunctionDecl *> byName_;
+  Diagnostics &diags_;
+};
+
+} // namespace tlgen
+
+#endif

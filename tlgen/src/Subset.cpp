@@ -1,0 +1,216 @@
+// Refuses what tlgen does not accept. A white list: a construct that no line here names is refused.
+#include "Subset.h"
+
+#include "clang/AST/ASTContext.h"
+#include "clang/AST/Attr.h"
+#include "clang/AST/RecursiveASTVisitor.h"
+#include "clang/Lex/Lexer.h"
+
+#include <set>
+
+namespace tlgen {
+namespace {
+
+using namespace clang;
+using clang::Expr; // not the intermediate program's
+using clang::Stmt;
+
+// The id of the message that refuses a type, or null where it is accepted as a variable's.
+const char *refusedType(QualType type) {
+  if (type.isVolatileQualified()) return "volatile";
+  if (type->isAtomicType()) return "atomic";
+  if (type->isAnyComplexType()) return "complex";
+  if (type->isVariableArrayType()) return "vla";
+  if (type->isSpecificBuiltinType(BuiltinType::LongDouble)) return "long-double";
+  if (type->isFunctionPointerType()) return "function-pointer";
+  if (const auto *array = type->getAsArrayTypeUnsafe()) return isa<ConstantArrayType>(array) ? refusedType(array->getElementType()) : "type";
+  if (type->isPointerType()) return type->getPointeeType()->isVoidType() ? "type" : refusedType(type->getPointeeType());
+  if (type->isUnionType()) return "union";
+  if (const auto *record = type->getAs<RecordType>()) {
+    const RecordDecl *def = record->getDecl()->getDefinition();
+    if (!def || (def->getNameAsString().empty() && !def->getTypedefNameForAnonDecl())) return "type";
+    for (const FieldDecl *field : def->fields()) {
+      if (field->isBitField()) return "type";
+      bool self = field->getType()->isPointerType() && field->getType()->getPointeeType()->getAs<RecordType>();
+      if (self) continue;
+      if (const char *id = refusedType(field->getType())) return id;
+    }
+    return nullptr;
+  }
+  if (type->isSpecificBuiltinType(BuiltinType::Double) || type->isSpecificBuiltinType(BuiltinType::Float)) return nullptr;
+  if (type->isIntegralOrEnumerationType()) return nullptr;
+  return "type";
+}
+
+class Walker : public RecursiveASTVisitor<Walker> {
+public:
+  Walker(const Source &source, const FunctionDecl *function, std::set<const FunctionDecl *> &callees)
+      : source_(source), context_(function->getASTContext()), callees_(callees) {}
+
+  bool VisitStmt(Stmt *s) {
+    if (const char *id = refusedStmt(s)) report(id, s->getBeginLoc(), std::string("'") + spelling(s) + "'");
+    return true;
+  }
+
+  bool VisitVarDecl(VarDecl *v) {
+    std::string name = "'" + v->getNameAsString() + "'";
+    if (const char *id = refusedType(v->getType())) report(id, v->getLocation(), name + " of type '" + v->getType().getAsString() + "'");
+    if (v->isStaticLocal() && !deepConst(v->getType())) report("global-state", v->getLocation(), "static variable " + name);
+    if (v->hasExternalStorage()) report("global-state", v->getLocation(), "extern variable " + name);
+    return true;
+  }
+
+  bool VisitDeclRefExpr(DeclRefExpr *ref) {
+    if (auto *v = dyn_cast<VarDecl>(ref->getDecl())) {
+      if (v->hasGlobalStorage() && !v->isStaticLocal()) checkGlobal(v, ref->getLocation());
+    } else if (isa<FunctionDecl>(ref->getDecl()) && !called_.count(ref)) {
+      report("function-pointer", ref->getLocation(), "'" + ref->getDecl()->getNameAsString() + "'");
+    }
+    return true;
+  }
+
+  bool VisitCallExpr(CallExpr *call) {
+    const FunctionDecl *callee = call->getDirectCallee();
+    if (!callee) return report("function-pointer", call->getBeginLoc(), "call"), true;
+    if (auto *ref = dyn_cast<DeclRefExpr>(call->getCallee()->IgnoreParenImpCasts())) called_.insert(ref);
+    std::string name = "'" + callee->getNameAsString() + "'";
+    if (mathCallee(callee, source_)) return true;
+    const FunctionDecl *def = source_.definition(callee);
+    if (!def) return report("unknown-function", call->getBeginLoc(), name), true;
+    callees_.insert(def);
+    return true;
+  }
+
+private:
+  // The id of the message that refuses a statement or expression; null where it is accepted.
+  const char *refusedStmt(const Stmt *s) const {
+    if (isa<GotoStmt>(s) || isa<IndirectGotoStmt>(s) || isa<LabelStmt>(s) || isa<AddrLabelExpr>(s)) return "goto";
+    if (isa<SwitchStmt>(s)) return "switch";
+    if (isa<AsmStmt>(s)) return "asm";
+    if (isa<VAArgExpr>(s)) return "variadic";
+    if (isa<SwitchCase>(s)) return nullptr; // its switch is reported
+    if (isa<CompoundStmt>(s) || isa<DeclStmt>(s) || isa<IfStmt>(s) || isa<ForStmt>(s) || isa<WhileStmt>(s) || isa<DoStmt>(s) || isa<BreakStmt>(s) ||
+        isa<ContinueStmt>(s) || isa<ReturnStmt>(s) || isa<NullStmt>(s))
+      return nullptr;
+    if (isa<CastExpr>(s)) return refusedCast(cast<CastExpr>(s));
+    if (const auto *op = dyn_cast<UnaryOperator>(s)) return refusedUnary(op);
+    if (isa<IntegerLiteral>(s) || isa<FloatingLiteral>(s) || isa<CharacterLiteral>(s) || isa<ParenExpr>(s) || isa<DeclRefExpr>(s) ||
+        isa<ArraySubscriptExpr>(s) || isa<MemberExpr>(s) || isa<BinaryOperator>(s) || isa<ConditionalOperator>(s) || isa<CallExpr>(s) ||
+        isa<InitListExpr>(s) || isa<ImplicitValueInitExpr>(s) || isa<UnaryExprOrTypeTraitExpr>(s) || isa<ConstantExpr>(s) ||
+        isa<CompoundLiteralExpr>(s))
+      return isa<Expr>(s) ? refusedValue(cast<Expr>(s)) : nullptr;
+    return "unsupported";
+  }
+
+  static const char *refusedValue(const Expr *e) {
+    if (e->getType()->isSpecificBuiltinType(BuiltinType::LongDouble)) return "long-double";
+    if (e->getType()->isAnyComplexType()) return "complex";
+    return nullptr;
+  }
+
+  static const char *refusedCast(const CastExpr *c) {
+    switch (c->getCastKind()) {
+    case CK_LValueToRValue: case CK_NoOp: case CK_ArrayToPointerDecay: case CK_FunctionToPointerDecay: case CK_IntegralCast:
+    case CK_IntegralToFloating: case CK_FloatingCast: case CK_FloatingToIntegral: case CK_IntegralToBoolean: case CK_FloatingToBoolean:
+    case CK_ToVoid: case CK_BuiltinFnToFnPtr: return refusedValue(c);
+    case CK_NullToPointer: case CK_PointerToBoolean: return "unsupported";
+    case CK_BitCast: case CK_IntegralToPointer: case CK_PointerToIntegral: return "pointer-cast";
+    default: return "unsupported";
+    }
+  }
+
+  static const char *refusedUnary(const UnaryOperator *op) {
+    switch (op->getOpcode()) {
+    case UO_Real: case UO_Imag: return "complex";
+    case UO_Extension: case UO_Coawait: return "unsupported";
+    default: return refusedValue(op);
+    }
+  }
+
+  // const all the way down: no pointer to something that could be written.
+  static bool deepConst(QualType type) {
+    if (const auto *array = type->getAsArrayTypeUnsafe()) return deepConst(array->getElementType());
+    return type.isConstQualified() && !type->isPointerType();
+  }
+
+  void checkGlobal(const VarDecl *v, SourceLocation at) {
+    std::string name = "'" + v->getNameAsString() + "'";
+    if (!deepConst(v->getType())) return report("global-state", at, "global variable " + name);
+    const VarDecl *def = v->getInitializingDeclaration();
+    if (!def) return report("global-state", at, "constant " + name + " without a value");
+    if (const char *id = refusedType(v->getType())) return report(id, at, name);
+    if (!visitedGlobals_.insert(def).second) return;
+    TraverseStmt(const_cast<Expr *>(def->getInit()));
+  }
+
+  std::string spelling(const Stmt *s) const {
+    const SourceManager &sm = context_.getSourceManager();
+    bool invalid = false;
+    CharSourceRange range = CharSourceRange::getTokenRange(sm.getExpansionRange(s->getSourceRange()).getAsRange());
+    std::string text = Lexer::getSourceText(range, sm, context_.getLangOpts(), &invalid).str();
+    text = text.substr(0, text.find('\n'));
+    if (invalid || text.empty()) return s->getStmtClassName();
+    return text.size() > 60 ? text.substr(0, 57) + "..." : text;
+  }
+
+  void report(const char *id, SourceLocation at, const std::string &what) { source_.report(id, context_, at, what); }
+
+  const Source &source_;
+  const ASTContext &context_;
+  std::set<const FunctionDecl *> &callees_;
+  std::set<const DeclRefExpr *> called_;
+  std::set<const VarDecl *> visitedGlobals_;
+};
+
+class Subset {
+public:
+  explicit Subset(const Source &source) : source_(source) {}
+
+  // Depth first, so that callees come before callers and a cycle meets itself on the stack.
+  void visit(const FunctionDecl *function) {
+    if (done_.count(function)) return;
+    if (!onStack_.insert(function).second)
+      return source_.report("recursion", function->getASTContext(), function->getLocation(), "'" + function->getNameAsString() + "'");
+    checkSignature(function);
+    std::set<const FunctionDecl *> callees;
+    Walker walker(source_, function, callees);
+    for (ParmVarDecl *param : function->parameters()) walker.VisitVarDecl(param);
+    walker.TraverseStmt(function->getBody());
+    std::vector<const FunctionDecl *> ordered(callees.begin(), callees.end());
+    std::sort(ordered.begin(), ordered.end(), [](const FunctionDecl *a, const FunctionDecl *b) { return a->getNameAsString() < b->getNameAsString(); });
+    for (const FunctionDecl *callee : ordered) visit(callee);
+    onStack_.erase(function);
+    done_.insert(function);
+    order.push_back(function);
+  }
+
+  std::vector<const FunctionDecl *> order;
+
+private:
+  void checkSignature(const FunctionDecl *f) {
+    std::string name = "'" + f->getNameAsString() + "'";
+    if (f->isVariadic()) source_.report("variadic", f->getASTContext(), f->getLocation(), name);
+    QualType result = f->getReturnType();
+    if (result->isPointerType()) source_.report("return-pointer", f->getASTContext(), f->getLocation(), name);
+    else if (!result->isVoidType())
+      if (const char *id = refusedType(result)) source_.report(id, f->getASTContext(), f->getLocation(), name + " returns '" + result.getAsString() + "'");
+  }
+
+  const Source &source_;
+  std::set<const FunctionDecl *> done_, onStack_;
+};
+
+} // namespace
+
+const MathFunction *mathCallee(const clang::FunctionDecl *callee, const Source &source) {
+  if (source.definition(callee)) return nullptr;
+  return findMath(callee->getNameAsString());
+}
+
+std::vector<const clang::FunctionDecl *> checkSubset(const Source &source, const Match &match) {
+  Subset subset(source);
+  for (const Matched &m : match.functions) subset.visit(m.function);
+  return subset.order;
+}
+
+} // namespace tlgen
