@@ -72,12 +72,14 @@ static void advance(run *r, eom_lyapunov *ly) {
     }
     measure(r, ly);
     if (i % LOOK_EVERY == 0 && interrupted()) r->end = RUN_INTERRUPTED;
-    if (i == next_row || r->end == RUN_INTERRUPTED) {
+    if (i == next_row) {
       keep_row(r, ly);
       next_row = step_of_row(r, r->nrow + 1, steps);
       r->permille = (int)(1000 * i / steps);
     }
   }
+  bool kept = r->nrow > 0 && r->rows[(r->nrow - 1) * run_width(r)] == r->t;
+  if (r->end != RUN_COMPLETE && r->t > 0.0 && !kept) keep_row(r, ly); /* the last state that there was */
 }
 
 /* The whole run with the step r->step, shortened a little where t_end is not a whole number of steps away. */
