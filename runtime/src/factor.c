@@ -289,37 +289,42 @@ static void residual(const eom_system *sys, tl_real *r1, tl_real *r2, const tl_r
   }
 }
 
-/* The largest change of accelerations (coordinates scaled to unit inertia) and multipliers (rows scaled to unit length), each in parts
- * of the largest value. */
-static tl_real relative_change(const eom_system *sys, const tl_real *dq, const tl_real *dl, const tl_real *q, const tl_real *l) {
+/* How large a solution is, or by how much it changes: accelerations dq_i/S_i and constraint forces S_i (A'dl)_i, coordinates scaled to
+ * unit inertia. */
+typedef struct extent {
+  tl_real q, l;
+} extent;
+
+static extent extent_of(const eom_system *sys, const tl_real *dq, const tl_real *dl) {
   const eom_factor *f = &sys->workspace->factor;
-  tl_real change = TL_C(0.0), size = TL_C(0.0), change_l = TL_C(0.0), size_l = TL_C(0.0);
+  extent e = {TL_C(0.0), TL_C(0.0)};
   for (int i = 0; i < sys->n; i++) {
-    change = TL_LIBM(fmax)(change, TL_LIBM(fabs)(dq[i] / f->S[i]));
-    size = TL_LIBM(fmax)(size, TL_LIBM(fabs)(q[i] / f->S[i]));
+    tl_real force = TL_C(0.0);
+    for (int r = 0; r < sys->m; r++) force += sys->A[r * sys->n + i] * dl[r];
+    e.q = TL_LIBM(fmax)(e.q, TL_LIBM(fabs)(dq[i] / f->S[i]));
+    e.l = TL_LIBM(fmax)(e.l, TL_LIBM(fabs)(force * f->S[i]));
   }
-  for (int r = 0; r < sys->m; r++) {
-    change_l = TL_LIBM(fmax)(change_l, TL_LIBM(fabs)(dl[r] / f->D[r]));
-    size_l = TL_LIBM(fmax)(size_l, TL_LIBM(fabs)(l[r] / f->D[r]));
-  }
-  const tl_real a = change > TL_C(0.0) ? change / size : TL_C(0.0), b = change_l > TL_C(0.0) ? change_l / size_l : TL_C(0.0);
-  return TL_LIBM(fmax)(a, b);
+  return e;
 }
 
-/* Refinement goes on while the change falls by half. Without constraints Cholesky alone is as good as the data. */
+/* Refinement goes on while the change of either part falls by half, until both are at rounding: that of the solution or of the forces
+ * that balance in it. Without constraints Cholesky alone is as good as the data. */
 void eom_kkt_solve(eom_system *sys, tl_real *dq, tl_real *dl, const tl_real *r1, const tl_real *r2) {
   eom_workspace *ws = sys->workspace;
   eom_factor_apply(sys, dq, dl, r1, r2);
   if (sys->m == 0) return;
-  tl_real last = TL_MAX;
+  tl_real applied = TL_C(0.0);
+  for (int i = 0; i < sys->n; i++) applied = TL_LIBM(fmax)(applied, TL_LIBM(fabs)(r1[i] * ws->factor.S[i]));
+  extent last = {TL_MAX, TL_MAX};
   for (int pass = 0; pass < EOM_REFINEMENTS; pass++) {
     residual(sys, ws->r1, ws->r2, dq, dl, r1, r2);
     eom_factor_apply(sys, ws->dq, ws->dl, ws->r1, ws->r2);
-    const tl_real change = relative_change(sys, ws->dq, ws->dl, dq, dl);
-    if (!(change < last / TL_C(2.0))) return;
+    const extent change = extent_of(sys, ws->dq, ws->dl), size = extent_of(sys, dq, dl);
+    if (!(change.q < last.q / TL_C(2.0)) && !(change.l < last.l / TL_C(2.0))) return;
     for (int i = 0; i < sys->n; i++) dq[i] += ws->dq[i];
     for (int r = 0; r < sys->m; r++) dl[r] += ws->dl[r];
-    if (change <= TL_C(2.0) * TL_EPSILON) return;
+    const tl_real rounding = TL_C(2.0) * TL_EPSILON;
+    if (change.q <= rounding * TL_LIBM(fmax)(size.q, applied) && change.l <= rounding * TL_LIBM(fmax)(size.l, applied)) return;
     last = change;
   }
 }
