@@ -155,7 +155,7 @@ static int single(const command *c, run_request ask) {
   output csv;
   run r = {.ask = ask};
   const run *const runs[] = {&r};
-  const task only = {do_run, &r, 1.0, &r.permille};
+  const task only = {do_run, &r, 1.0, &r.done};
   if (c->csv != NULL && csv_begin(&csv, c->csv, ask.links) != 0) return EXIT_FAILED;
   double seconds = do_tasks(&only, 1, program);
   run_complain(&r);

@@ -71,11 +71,13 @@ static void advance(run *r, eom_lyapunov *ly) {
       break;
     }
     measure(r, ly);
-    if (i % LOOK_EVERY == 0 && interrupted()) r->end = RUN_INTERRUPTED;
+    if (i % LOOK_EVERY == 0) {
+      r->done = (double)i / (double)steps;
+      if (interrupted()) r->end = RUN_INTERRUPTED;
+    }
     if (i == next_row) {
       keep_row(r, ly);
       next_row = step_of_row(r, r->nrow + 1, steps);
-      r->permille = (int)(1000 * i / steps);
     }
   }
   bool kept = r->nrow > 0 && r->rows[(r->nrow - 1) * run_width(r)] == r->t;
@@ -125,7 +127,7 @@ void run_do(run *r) {
     }
     r->report = sys->report;
   }
-  r->permille = 1000;
+  r->done = 1.0;
   eom_system_destroy(sys);
 }
 

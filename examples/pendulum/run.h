@@ -3,7 +3,6 @@
 #define PENDULUM_RUN_H
 
 #include <eom/eom.h>
-#include <stdatomic.h>
 #include <stdbool.h>
 #include <stdio.h>
 
@@ -35,7 +34,7 @@ typedef enum run_end {
 
 typedef struct run {
   run_request ask;
-  atomic_int permille; /* of the run that is done; any thread may look */
+  _Atomic double done; /* part of the run that is done, 0..1; any thread may look */
 
   /* filled by run_do */
   double *rows; /* nrow rows of run_width numbers: t, lambda_1..lambda_2N, |E-E0|, |Q'Q-I| */

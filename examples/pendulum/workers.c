@@ -4,6 +4,7 @@
 #include "common/progress.h"
 
 #include <pthread.h>
+#include <stdatomic.h>
 #include <time.h>
 #include <unistd.h>
 
@@ -28,7 +29,7 @@ static double fraction_done(const pool *p) {
   double done = 0.0, all = 0.0;
   for (int i = 0; i < p->count; i++) {
     all += p->tasks[i].share;
-    if (p->tasks[i].permille != NULL) done += p->tasks[i].share * *p->tasks[i].permille / 1000.0;
+    if (p->tasks[i].done != NULL) done += p->tasks[i].share * *p->tasks[i].done;
   }
   return done / all;
 }
