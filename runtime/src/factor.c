@@ -77,8 +77,8 @@ static tl_real factor_calM(eom_system *sys, bool weighted) {
   if (sys->workspace->linalg->cholesky(n, f->L) != 0) return TL_C(0.0);
   tl_real least = TL_C(1.0);
   for (int i = 0; i < n; i++) {
-    const tl_real l = f->L[i * n + i];
-    least = TL_LIBM(fmin)(least, l * l / f->y[i]);
+    const tl_real l = f->L[i * n + i], pivot = l * l / f->y[i];
+    if (!(pivot >= least)) least = pivot;
   }
   return least;
 }

@@ -3,39 +3,12 @@
  *   M_ij = (N - max(i,j) + 1) cos(q_i - q_j)                                       (i, j from 1)
  *   sum_j M_ij qdd_j = -sum_j (N - max(i,j) + 1) sin(q_i - q_j) qd_j^2 - (N - i + 1) g sin q_i =: Q_i
  *   M d(qdd) = dQ - dM qdd */
+#include "kkt_truth.h"
 #include "pendulum_model.h"
 
 #include <stdlib.h>
 
-typedef __float128 quad;
-extern quad sinf128(quad), cosf128(quad), sqrtf128(quad);
-
-/* x = M^-1 x for k columns, in place, by Gauss-Jordan with row exchange; M is destroyed. */
-static void gauss(int n, quad *M, int k, quad *x) {
-  for (int c = 0; c < n; c++) {
-    int best = c;
-    for (int i = c + 1; i < n; i++)
-      if ((M[i * n + c] < 0 ? -M[i * n + c] : M[i * n + c]) > (M[best * n + c] < 0 ? -M[best * n + c] : M[best * n + c])) best = i;
-    for (int j = 0; j < n; j++) {
-      const quad keep = M[c * n + j];
-      M[c * n + j] = M[best * n + j];
-      M[best * n + j] = keep;
-    }
-    for (int j = 0; j < k; j++) {
-      const quad keep = x[c * k + j];
-      x[c * k + j] = x[best * k + j];
-      x[best * k + j] = keep;
-    }
-    for (int i = 0; i < n; i++) {
-      if (i == c) continue;
-      const quad f = M[i * n + c] / M[c * n + c];
-      for (int j = c; j < n; j++) M[i * n + j] -= f * M[c * n + j];
-      for (int j = 0; j < k; j++) x[i * k + j] -= f * x[c * k + j];
-    }
-  }
-  for (int c = 0; c < n; c++)
-    for (int j = 0; j < k; j++) x[c * k + j] /= M[c * n + c];
-}
+extern quad sinf128(quad), cosf128(quad);
 
 static quad weight(int n, int i, int j) { return (quad)(n - (i > j ? i : j)); }
 

@@ -1,0 +1,200 @@
+/* Fixed-step integration: order by step halving, exact polynomials, the shared stage, failures that keep the last good state. */
+#include "close.h"
+#include "pendulum_model.h"
+
+#include "eom/eom.h"
+
+#include <math.h>
+#include <string.h>
+
+#define MOST 8
+
+/* y'' = -y as (y, y'), whose solution is a rotation; counts its calls. */
+static int oscillator(void *user, tl_real t, const tl_real *y, tl_real *ydot) {
+  (void)t;
+  if (user) ++*(long *)user;
+  ydot[0] = y[1];
+  ydot[1] = -y[0];
+  return 0;
+}
+
+static double oscillator_error(int steps) {
+  double work[9 * 2], y[2] = {1, 0};
+  eom_integrator it;
+  eom_integrator_init(&it, &eom_dp5, oscillator, NULL, 2, 0, y, 4.0 / steps, work);
+  assert_int_equal(eom_integrate(&it, 4, NULL, NULL), EOM_OK);
+  assert_int_equal(it.steps, steps);
+  return hypot(it.y[0] - cos(4), it.y[1] + sin(4));
+}
+
+/* Halving the step divides the error by 2^5; measured 31.6 to 33. */
+static void order_five(void **state) {
+  (void)state;
+  for (int steps = 40; steps <= 160; steps *= 2) {
+    const double ratio = oscillator_error(steps) / oscillator_error(2 * steps);
+    print_message("%d steps: error falls by %.2f\n", steps, ratio);
+    assert_close(ratio, 32, 0.05, 0);
+  }
+}
+
+/* The same on a motion of the pendulum: errors against a much smaller step. Measured 35.5 and 32.4: the next order is still seen. */
+static void order_five_of_a_motion(void **state) {
+  (void)state;
+  const pendulum p = {2, 9.81};
+  eom_system *sys;
+  assert_int_equal(eom_system_create(&sys, &pendulum_model, &p, NULL), EOM_OK);
+  double y0[4] = {1.2, 0.3, 0, 0}, work[9 * 4], end[4][4];
+  const int steps[4] = {6400, 200, 400, 800};
+  for (int k = 0; k < 4; k++) {
+    eom_integrator it;
+    eom_integrator_init(&it, &eom_dp5, eom_rhs, sys, 4, 0, y0, 1.0 / steps[k], work);
+    assert_int_equal(eom_integrate(&it, 1, NULL, NULL), EOM_OK);
+    memcpy(end[k], it.y, sizeof end[k]);
+  }
+  double error[4];
+  for (int k = 1; k < 4; k++) {
+    error[k] = 0;
+    for (int i = 0; i < 4; i++) error[k] = hypot(error[k], end[k][i] - end[0][i]);
+  }
+  print_message("errors %.2e %.2e %.2e\n", error[1], error[2], error[3]);
+  assert_close(error[1] / error[2], 32, 0.15, 0);
+  assert_close(error[2] / error[3], 32, 0.15, 0);
+  eom_system_destroy(sys);
+}
+
+/* y' = 5 t^4: a method of order five is exact. Tests every c and b. */
+static int quartic(void *user, tl_real t, const tl_real *y, tl_real *ydot) {
+  (void)user, (void)y;
+  ydot[0] = 5 * t * t * t * t;
+  return 0;
+}
+
+static void exact_for_quartics(void **state) {
+  (void)state;
+  double work[9], y = 0;
+  eom_integrator it;
+  eom_integrator_init(&it, &eom_dp5, quartic, NULL, 1, 0, &y, 1, work);
+  assert_int_equal(eom_integrate(&it, 3, NULL, NULL), EOM_OK);
+  assert_close(it.y[0], 243, 1e-14, 0);
+}
+
+/* The rows of a sum to c. */
+static void consistent_tableau(void **state) {
+  (void)state;
+  double b = 0;
+  for (int i = 0; i < eom_dp5.stages; i++) {
+    double sum = 0;
+    for (int j = 0; j < i; j++) sum += eom_dp5.a[i * (i - 1) / 2 + j];
+    assert_close(sum, eom_dp5.c[i], 0, 4e-15); /* terms near 12 cancel */
+    b += eom_dp5.b[i];
+  }
+  assert_close(b, 1, 0, 1e-15);
+  assert_ptr_equal(eom_method_find("dp5"), &eom_dp5);
+  assert_null(eom_method_find("dp6"));
+}
+
+/* Seven stages cost six calls a step and one at the start; a restart costs one more. */
+static void last_stage_is_shared(void **state) {
+  (void)state;
+  long calls = 0;
+  double work[9 * 2], y[2] = {1, 0};
+  eom_integrator it;
+  eom_integrator_init(&it, &eom_dp5, oscillator, &calls, 2, 0, y, 0.1, work);
+  for (int k = 0; k < 10; k++) assert_int_equal(eom_integrator_step(&it), EOM_OK);
+  assert_int_equal(calls, 61);
+  assert_int_equal(it.evaluations, 61);
+  const double before = it.y[0];
+  eom_integrator_restart(&it);
+  assert_int_equal(eom_integrator_step(&it), EOM_OK);
+  assert_int_equal(calls, 68);
+  assert_true(it.y[0] != before);
+}
+
+/* t is t0 + steps*h, and the last step ends where asked, forwards and backwards. */
+static void ends_at_the_time_asked(void **state) {
+  (void)state;
+  double work[9 * 2], y[2] = {1, 0};
+  eom_integrator it;
+  eom_integrator_init(&it, &eom_dp5, oscillator, NULL, 2, 0, y, 0.01, work);
+  assert_int_equal(eom_integrate(&it, 1.005, NULL, NULL), EOM_OK);
+  assert_int_equal(it.steps, 101);
+  assert_close(it.t, 1.005, 0, 0);
+  assert_close(it.y[0], cos(1.005), 0, 1e-12);
+  assert_int_equal(eom_integrate(&it, 2.005, NULL, NULL), EOM_OK);
+  assert_int_equal(it.steps, 201);
+  assert_close(it.t, 2.005, 1e-15, 0);
+  assert_int_equal(eom_integrate(&it, 1, NULL, NULL), EOM_BAD_OPTION);
+  it.h = -0.01;
+  it.t0 = it.t;
+  it.steps = 0;
+  assert_int_equal(eom_integrate(&it, 0, NULL, NULL), EOM_OK);
+  assert_close(it.y[0], 1, 0, 1e-11);
+  it.h = 0;
+  assert_int_equal(eom_integrate(&it, 1, NULL, NULL), EOM_BAD_OPTION);
+}
+
+/* Fails with code 42 once t passes a limit. */
+static int fails_late(void *user, tl_real t, const tl_real *y, tl_real *ydot) {
+  oscillator(NULL, t, y, ydot);
+  return t > *(const double *)user ? 42 : 0;
+}
+
+static void failure_keeps_the_last_state(void **state) {
+  (void)state;
+  double limit = 0.5, work[9 * 2], y[2] = {1, 0};
+  eom_integrator it;
+  eom_integrator_init(&it, &eom_dp5, fails_late, &limit, 2, 0, y, 0.1, work);
+  assert_int_equal(eom_integrate(&it, 2, NULL, NULL), EOM_RHS_FAILED);
+  assert_int_equal(it.rhs_code, 42);
+  assert_int_equal(it.steps, 5);
+  assert_close(it.t, 0.5, 0, 0);
+  assert_close(it.y[0], cos(0.5), 0, 1e-7);
+  limit = 10; /* goes on from there */
+  assert_int_equal(eom_integrate(&it, 1, NULL, NULL), EOM_OK);
+  assert_close(it.y[0], cos(1), 0, 1e-7);
+}
+
+/* y' = y^2 overflows at t = 1. */
+static int explosion(void *user, tl_real t, const tl_real *y, tl_real *ydot) {
+  (void)user, (void)t;
+  ydot[0] = y[0] * y[0];
+  return 0;
+}
+
+static void overflow_is_reported(void **state) {
+  (void)state;
+  double work[9], y = 1;
+  eom_integrator it;
+  eom_integrator_init(&it, &eom_dp5, explosion, NULL, 1, 0, &y, 0.25, work);
+  assert_int_equal(eom_integrate(&it, 3, NULL, NULL), EOM_NOT_FINITE);
+  assert_true(isfinite(it.y[0]));
+}
+
+static int stop_at_three(void *observer, const eom_integrator *it) {
+  ++*(int *)observer;
+  return it->steps == 3;
+}
+
+static void observer_stops(void **state) {
+  (void)state;
+  int seen = 0;
+  double work[9 * 2], y[2] = {1, 0};
+  eom_integrator it;
+  eom_integrator_init(&it, &eom_dp5, oscillator, NULL, 2, 0, y, 0.1, work);
+  assert_int_equal(eom_integrate(&it, 2, stop_at_three, &seen), EOM_STOPPED);
+  assert_int_equal(seen, 3);
+  assert_close(it.t, 0.3, 1e-15, 0);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {cmocka_unit_test(order_five),
+                                     cmocka_unit_test(order_five_of_a_motion),
+                                     cmocka_unit_test(exact_for_quartics),
+                                     cmocka_unit_test(consistent_tableau),
+                                     cmocka_unit_test(last_stage_is_shared),
+                                     cmocka_unit_test(ends_at_the_time_asked),
+                                     cmocka_unit_test(failure_keeps_the_last_state),
+                                     cmocka_unit_test(overflow_is_reported),
+                                     cmocka_unit_test(observer_stops)};
+  return cmocka_run_group_tests_name("integrate", tests, NULL, NULL);
+}

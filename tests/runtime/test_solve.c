@@ -1,0 +1,269 @@
+/* The solver's verdicts: dependent, scaled, permuted and contradicting rows, coordinates without inertia, input that is not finite. */
+#include "close.h"
+#include "constrained_models.h"
+#include "pendulum_model.h"
+#include "random.h"
+
+#include "eom/eom.h"
+#include "kkt_truth.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <string.h>
+
+/* Results that must not depend on how the constraint is written: the same to a few roundings. Measured 1e-15. */
+#define SAME_MOTION 1e-14
+
+static eom_system *start(const eom_model *model, const void *params, const eom_options *options) {
+  eom_system *sys;
+  assert_int_equal(eom_system_create(&sys, model, params, options), EOM_OK);
+  return sys;
+}
+
+/* Accelerations and constraint force of the Cartesian pendulum at a state off the manifold, from its one constraint by hand:
+ * 2 qdd = (0, -2g) + 2 (x, y) lambda, x x'' + y y'' = -(x'^2 + y'^2). */
+static void pendulum_by_hand(const double *q, const double *qd, double *qdd, double *Qc) {
+  const double r2 = q[0] * q[0] + q[1] * q[1], lambda = (-(qd[0] * qd[0] + qd[1] * qd[1]) + 9.81 * q[1]) / r2;
+  qdd[0] = lambda * q[0];
+  qdd[1] = lambda * q[1] - 9.81;
+  Qc[0] = 2 * lambda * q[0];
+  Qc[1] = 2 * lambda * q[1];
+}
+
+static void check_redundant(const redundancy *r, const double *weights, int rank_of_rows) {
+  static const double q[2] = {0.6, -0.75}, qd[2] = {1.1, 0.3};
+  double qdd[2], Qc[2];
+  pendulum_by_hand(q, qd, qdd, Qc);
+  eom_options options = eom_options_default();
+  options.weights = weights;
+  eom_system *sys = start(&redundant, r, &options), *plain = start(&cartesian_pendulum, NULL, NULL);
+  assert_int_equal(eom_linearise(sys, q, qd, 0), EOM_OK);
+  assert_int_equal(sys->report.rank, rank_of_rows);
+  assert_int_equal(sys->report.nrow, r->rows - rank_of_rows);
+  assert_all_close(sys->qdd, qdd, 2, 0, SAME_MOTION * 10);
+  assert_all_close(sys->Qc, Qc, 2, 0, SAME_MOTION * 10);
+  assert_int_equal(eom_linearise(plain, q, qd, 0), EOM_OK);
+  assert_all_close(sys->qdd_y, plain->qdd_y, 8, 0, SAME_MOTION * 100);
+  /* the sum of what each row carries is the pull of the one constraint */
+  double pull = 0;
+  for (int i = 0; i < r->rows; i++) pull += r->factor[i] * sys->lambda[i];
+  assert_close(pull, plain->lambda[0], SAME_MOTION, 0);
+  eom_system_destroy(sys);
+  eom_system_destroy(plain);
+}
+
+static void scaled_rows(void **state) {
+  (void)state;
+  for (double scale = 1e-8; scale < 2e8; scale *= 100) {
+    const redundancy r = {.rows = 1, .factor = {scale}};
+    check_redundant(&r, NULL, 1);
+  }
+}
+
+static void repeated_rows(void **state) {
+  (void)state;
+  const double weights[3] = {1e8, 1e-8, 1};
+  const redundancy same = {.rows = 3, .factor = {1, 1, 1}}, scaled = {.rows = 3, .factor = {1, 1e8, -1e-8}},
+                   permuted = {.rows = 3, .factor = {-1e-8, 1, 1e8}};
+  check_redundant(&same, NULL, 1);
+  check_redundant(&scaled, NULL, 1);
+  check_redundant(&permuted, NULL, 1);
+  check_redundant(&same, weights, 1);
+}
+
+/* Of equal rows each carries the same share, whatever their scale: the multiplier of least norm. */
+static void equal_shares(void **state) {
+  (void)state;
+  const redundancy r = {.rows = 3, .factor = {1, 1000, -10}};
+  eom_system *sys = start(&redundant, &r, NULL);
+  assert_int_equal(eom_acceleration(sys, (const double[]){0.6, -0.75}, (const double[]){1.1, 0.3}, 0), EOM_OK);
+  assert_close(sys->lambda[1] * 1000, sys->lambda[0], 1e-13, 0);
+  assert_close(sys->lambda[2] * -10, sys->lambda[0], 1e-13, 0);
+  eom_system_destroy(sys);
+}
+
+static void contradiction_is_named(void **state) {
+  (void)state;
+  const redundancy r = {.rows = 3, .factor = {1, 2, 1}, .bend = {0, 0, 0.5}};
+  eom_system *sys = start(&redundant, &r, NULL);
+  assert_int_equal(eom_acceleration(sys, (const double[]){0.6, -0.75}, (const double[]){1.1, 0.3}, 1), EOM_INCONSISTENT);
+  assert_int_equal(sys->report.rank, 1);
+  char text[1024];
+  eom_report_text(&sys->report, text, sizeof text);
+  assert_non_null(strstr(text, "constraints contradict each other"));
+  assert_non_null(strstr(text, "circles[2] (model.c:20): inconsistent with the others"));
+  double y[4] = {0.6, -0.75, 1.1, 0.3}, ydot[4];
+  assert_int_equal(eom_rhs(sys, 1, y, ydot), EOM_INCONSISTENT);
+  eom_system_destroy(sys);
+}
+
+/* The same rows agree where the contradiction is below the tolerance, and the tolerance is the user's. */
+static void consistency_tolerance(void **state) {
+  (void)state;
+  const redundancy r = {.rows = 2, .factor = {1, 1}, .bend = {0, 1e-5}};
+  eom_options options = eom_options_default();
+  for (int loose = 0; loose < 2; loose++) {
+    options.consistency_tolerance = loose ? 1e-4 : 1e-8;
+    eom_system *sys = start(&redundant, &r, &options);
+    assert_int_equal(eom_acceleration(sys, (const double[]){0.6, -0.75}, (const double[]){1.1, 0.3}, 1),
+                     loose ? EOM_OK : EOM_INCONSISTENT);
+    eom_system_destroy(sys);
+  }
+}
+
+/* With the hoop's plane through its axis the two constraints of a bead at (1,0,0) become parallel as the plane turns into the sphere's
+ * tangent: rank is decided by the tolerance asked for. Rows (2,0,0) and (s,-c,0) at s = 1 - d^2/2, c = d. */
+static void rank_tolerance(void **state) {
+  (void)state;
+  const double d = 1e-6, t = (acos(-1.0) / 2 - d) / 2;
+  eom_options options = eom_options_default();
+  for (int coarse = 0; coarse < 2; coarse++) {
+    options.rank_tolerance = coarse ? 1e-4 : 1e-8;
+    options.consistency_tolerance = 0.5;
+    eom_system *sys = start(&rotating_hoop, NULL, &options);
+    assert_int_equal(eom_acceleration(sys, (const double[]){1, 0, 0}, (const double[]){0, 0, 0}, t), EOM_OK);
+    assert_int_equal(sys->report.rank, coarse ? 1 : 2);
+    if (!coarse) assert_close(sys->report.condition, 1 / d, 0.01, 0);
+    assert_int_equal(sys->row_kind[0] + sys->row_kind[1], coarse ? EOM_ROW_DEPENDENT : EOM_ROW_INDEPENDENT);
+    eom_system_destroy(sys);
+  }
+}
+
+static void coordinate_without_inertia(void **state) {
+  (void)state;
+  eom_system *sys = start(&floating, NULL, NULL);
+  assert_int_equal(eom_acceleration(sys, (const double[]){0.6, -0.75}, (const double[]){1.1, 0.3}, 0), EOM_NO_INERTIA);
+  assert_int_equal(sys->report.index, 1);
+  char text[1024];
+  eom_report_text(&sys->report, text, sizeof text);
+  assert_non_null(strstr(text, "coordinate 1 "));
+  eom_system_destroy(sys);
+
+  /* the central field without its constraint: (r, u) can move along (r', u') = (-r, u) s, and r moves most */
+  eom_model free_field = central_field;
+  free_field.nholonomic = 0;
+  sys = start(&free_field, NULL, NULL);
+  const double q[4] = {3, 0.6, 0, 0.8}, qd[4] = {0.1, 0.2, 0.3, 0.4};
+  assert_int_equal(eom_acceleration(sys, q, qd, 0), EOM_NO_INERTIA);
+  assert_true(sys->report.index == 0 || sys->report.index == 3);
+  eom_system_destroy(sys);
+}
+
+static void input_that_is_not_finite(void **state) {
+  (void)state;
+  eom_system *sys = start(&cartesian_pendulum, NULL, NULL);
+  const double good[2] = {0.6, 0.8}, bad[2] = {0.6, NAN}, big[2] = {INFINITY, 0};
+  char text[512];
+  assert_int_equal(eom_acceleration(sys, bad, good, 0), EOM_NOT_FINITE);
+  assert_int_equal(sys->report.index, 1);
+  eom_report_text(&sys->report, text, sizeof text);
+  assert_non_null(strstr(text, "argument q, number 1"));
+  assert_int_equal(eom_acceleration(sys, good, big, 0), EOM_NOT_FINITE);
+  assert_string_equal(sys->report.function, "argument qd");
+  assert_int_equal(eom_energy(sys, good, good, NAN), EOM_NOT_FINITE);
+  assert_string_equal(sys->report.function, "argument t");
+  const double huge[2] = {1e200, 1e200}; /* finite, but its square is not */
+  assert_int_equal(eom_acceleration(sys, huge, good, 0), EOM_NOT_FINITE);
+  assert_int_equal(eom_acceleration(sys, good, good, 0), EOM_OK);
+  eom_system_destroy(sys);
+}
+
+static void point_outside_the_domain(void **state) {
+  (void)state;
+  eom_system *sys = start(&central_field, NULL, NULL);
+  assert_int_equal(eom_acceleration(sys, (const double[]){0, 1, 0, 0}, (const double[]){0, 0, 0, 0}, 0), EOM_DOMAIN);
+  char text[512];
+  eom_report_text(&sys->report, text, sizeof text);
+  assert_non_null(strstr(text, "in lagrangian (model.c:1)"));
+  assert_non_null(strstr(text, "in div"));
+  eom_system_destroy(sys);
+}
+
+/* Random equations whose two rows differ by little: the error of qdd against quadruple precision may grow with the condition of the
+ * rows, not with its square, over the root of the smallest pivot. Forming A M^-1 A' would lose sixteen digits at 1e8. Allowed: this
+ * many epsilons times that; measured 0.9, and 1.8 where M is singular. */
+#define CONDITION_FACTOR 20
+
+static double ill_conditioned(rng *r, bool singular_mass) {
+  eom_system *sys = start(&cartesian_double_pendulum, NULL, NULL);
+  double y[4] = {0.6, 0.8, 1, 1}, truth[6], worst = 0;
+  assert_int_equal(eom_assemble(sys, y, y, 0), EOM_OK);
+  for (int k = 0; k < 200; k++) {
+    const double apart = exp(log(10) * rng_uniform(r, -8, 0));
+    double X[4][4];
+    for (int i = 0; i < 16; i++) X[i / 4][i % 4] = i / 4 == 3 && singular_mass ? 0 : rng_uniform(r, -1, 1);
+    for (int i = 0; i < 4; i++) {
+      sys->Q[i] = rng_uniform(r, -1, 1);
+      sys->A[i] = rng_uniform(r, -1, 1);
+      sys->A[4 + i] = sys->A[i] + apart * rng_uniform(r, -1, 1);
+      for (int j = 0; j < 4; j++) {
+        sys->M[4 * i + j] = singular_mass || i != j ? 0 : 1;
+        for (int l = 0; l < 4; l++) sys->M[4 * i + j] += X[l][i] * X[l][j];
+      }
+    }
+    sys->b[0] = rng_uniform(r, -1, 1);
+    sys->b[1] = rng_uniform(r, -1, 1);
+    assert_int_equal(eom_solve(sys), EOM_OK);
+    assert_int_equal(sys->report.rank, 2);
+    kkt_truth(4, 2, sys->M, sys->A, sys->Q, sys->b, truth);
+    double size = 0, error = 0;
+    for (int i = 0; i < 4; i++) {
+      size = fmax(size, fabs(truth[i]));
+      error = fmax(error, fabs(sys->qdd[i] - truth[i]));
+    }
+    const double condition = sys->report.condition / sqrt(sys->report.pivot);
+    worst = fmax(worst, error / size / (2.2e-16 * condition));
+  }
+  eom_system_destroy(sys);
+  return worst;
+}
+
+static void ill_conditioned_rows(void **state) {
+  (void)state;
+  rng r = {77};
+  const double regular = ill_conditioned(&r, false), singular = ill_conditioned(&r, true);
+  print_message("worst error of qdd in epsilon times condition: %.2g, with singular M %.2g\n", regular, singular);
+  assert_true(regular < CONDITION_FACTOR && singular < CONDITION_FACTOR);
+}
+
+/* Both implementations of the linear algebra give the same motion. */
+static void same_motion_from_lapack(void **state) {
+  (void)state;
+  eom_options options = eom_options_default();
+  options.linalg = EOM_LINALG_LAPACK;
+  eom_system *lapack;
+  const eom_status status = eom_system_create(&lapack, &cartesian_double_pendulum, NULL, &options);
+  if (status == EOM_BAD_OPTION) skip();
+  assert_int_equal(status, EOM_OK);
+  options.linalg = EOM_LINALG_CORE;
+  eom_system *core = start(&cartesian_double_pendulum, NULL, &options);
+  rng r = {7};
+  for (int k = 0; k < 20; k++) {
+    double q[4], qd[4];
+    for (int i = 0; i < 4; i++) {
+      q[i] = rng_uniform(&r, -1, 1);
+      qd[i] = rng_uniform(&r, -1, 1);
+    }
+    assert_int_equal(eom_linearise(lapack, q, qd, 0), EOM_OK);
+    assert_int_equal(eom_linearise(core, q, qd, 0), EOM_OK);
+    assert_all_close(lapack->qdd, core->qdd, 4, 1e-11, 1e-11);
+    assert_all_close(lapack->qdd_y, core->qdd_y, 32, 1e-10, 1e-10);
+  }
+  eom_system_destroy(lapack);
+  eom_system_destroy(core);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {cmocka_unit_test(scaled_rows),
+                                     cmocka_unit_test(repeated_rows),
+                                     cmocka_unit_test(equal_shares),
+                                     cmocka_unit_test(contradiction_is_named),
+                                     cmocka_unit_test(consistency_tolerance),
+                                     cmocka_unit_test(rank_tolerance),
+                                     cmocka_unit_test(coordinate_without_inertia),
+                                     cmocka_unit_test(input_that_is_not_finite),
+                                     cmocka_unit_test(point_outside_the_domain),
+                                     cmocka_unit_test(ill_conditioned_rows),
+                                     cmocka_unit_test(same_motion_from_lapack)};
+  return cmocka_run_group_tests_name("solve", tests, NULL, NULL);
+}
