@@ -1,7 +1,8 @@
 # taylor_warnings(TARGET): the project's warnings and, where asked, sanitizers.
 function(taylor_warnings target)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow
-    $<$<COMPILE_LANGUAGE:C>:-Wconversion -Wdouble-promotion -Wstrict-prototypes -Wvla>)
+    $<$<COMPILE_LANGUAGE:C>:-Wconversion -Wdouble-promotion -Wstrict-prototypes -Wvla>
+    $<$<COMPILE_LANG_AND_ID:CXX,Clang>:-Wno-deprecated-declarations>) # what libstdc++ 12's own stable_sort calls
   if(TAYLOR_WERROR)
     target_compile_options(${target} PRIVATE -Werror)
   endif()
