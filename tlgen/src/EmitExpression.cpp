@@ -189,14 +189,20 @@ Text FunctionEmitter::value(const Expr *e) {
   std::abort();
 }
 
+// A value as 0 or 1; a comparison is that already.
+static std::string truth(const Text &t) {
+  bool already = t.precedence == Relation || t.precedence == Equality || t.precedence == And || t.precedence == Or;
+  return already ? t.s : operand(t, Shift) + " != 0";
+}
+
 // a && b and a || b evaluate b only where they must, also where b needs statements.
 Text FunctionEmitter::logicalValue(const Expr *e) {
   if (!needsStatements(e->args[1])) return binaryText(e->text, value(e->args[0]), value(e->args[1]));
   std::string test = fresh("test");
-  line("int " + test + " = " + operand(value(e->args[0]), Equality) + " != 0;");
+  line("int " + test + " = " + truth(value(e->args[0])) + ";");
   line("if (" + std::string(e->text == "&&" ? "" : "!") + test + ") {");
   ++indent_;
-  line(test + " = " + operand(value(e->args[1]), Equality) + " != 0;");
+  line(test + " = " + truth(value(e->args[1])) + ";");
   --indent_;
   line("}");
   return {test, Primary};
