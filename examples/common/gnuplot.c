@@ -37,10 +37,11 @@ int gnuplot_open(gnuplot *g, const char *path, int width, int height) {
     output_discard(&g->figure);
     return -1;
   }
+  fputs("set encoding utf8\n", g->script);
   if (ends_in(path, ".png"))
-    fprintf(g->script, "set terminal pngcairo size %d,%d enhanced font 'DejaVu Sans,12' background 'white'\n", width, height);
+    fprintf(g->script, "set terminal pngcairo size %d,%d noenhanced font 'DejaVu Sans,12' background 'white'\n", width, height);
   else
-    fprintf(g->script, "set terminal svg size %d,%d enhanced font 'DejaVu Sans,12' background 'white'\n", width, height);
+    fprintf(g->script, "set terminal svg size %d,%d noenhanced font 'DejaVu Sans,12' background 'white'\n", width, height);
   return 0;
 }
 

@@ -3,7 +3,15 @@
 
 #include "common/gnuplot.h"
 
-enum { MOST_POINTS = 800 /* of one curve: more cannot be told apart in a figure */ };
+#include <math.h>
+
+enum {
+  MOST_POINTS = 800, /* of one curve: more cannot be told apart in a figure */
+  MOST_NAMES = 24    /* of curves, in the legend: more do not fit beside it */
+};
+
+/* Stands for an error of zero on a logarithmic axis: less than any rounding error here. */
+static const double zero_mark = 1e-18;
 
 /* One colour for each run; chosen to be told apart by colour-blind readers too. */
 static const char *const colours[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
@@ -23,8 +31,10 @@ static void print_data(FILE *script, const run *r, int number) {
   fprintf(script, "$run%d << EOD\n", number);
   for (long k = 0; k < r->nrow; k++) {
     if (!in_script(r, k)) continue;
-    for (int i = 0; i < width; i++) fprintf(script, i == 0 ? "%.8g" : " %.6g", r->rows[k * width + i]);
-    fputc('\n', script);
+    const double *row = r->rows + k * width, energy = row[width - 2], orthogonality = row[width - 1];
+    fprintf(script, "%.8g", row[0]);
+    for (int i = 1; i < width - 2; i++) fprintf(script, " %.6g", row[i]);
+    fprintf(script, " %.6g %.6g\n", fmax(energy, zero_mark), fmax(orthogonality, zero_mark));
   }
   fputs("EOD\n", script);
 }
@@ -33,21 +43,29 @@ static void print_style(FILE *script) {
   fputs("set grid back linecolor '#d0d0d0' linewidth 0.5\n"
         "set border 3 back\n"
         "set tics nomirror out\n"
-        "set key outside right center noenhanced samplen 2\n",
+        "set key outside right center samplen 2\n",
         script);
 }
 
 static void print_time_axis(FILE *script, const run *r) {
-  fprintf(script, "set logscale x\nset xrange [%g:%g]\nset format x '%%g'\nset xlabel 'time t, s'\n", r->rows[0], r->ask.t_end);
+  fputs("set logscale x\nset format x '%g'\nset xlabel 'time t, s'\n", script);
+  if (r->nrow > 1) fprintf(script, "set xrange [%.8g:%.8g]\n", r->rows[0], r->t);
 }
 
-static const char *scheme_mark(const run *r) { return r->ask.scheme == EOM_LYAPUNOV_PAPER ? " dashtype '.-'" : ""; }
-
-/* One curve: a column of a run against time. */
+/* One curve: a column of a run against time. Dashed and without a name of its own for the printed scheme. */
 static void print_curve(FILE *script, const run *r, int number, int column) {
-  fprintf(script, "%s$run%d using 1:%d with lines linecolor '%s' linewidth 1.6%s title 'N = %d%s'", number == 0 ? "plot " : ", ",
-          number, column, colours[(r->ask.links - 1) % COLOURS], scheme_mark(r), r->ask.links,
-          r->ask.scheme == EOM_LYAPUNOV_PAPER ? ", as printed" : "");
+  fprintf(script, "%s$run%d using 1:%d with lines linewidth 1.6 linecolor '%s'", number == 0 ? "plot " : ", ", number, column,
+          colours[(r->ask.links - 1) % COLOURS]);
+  if (r->ask.scheme == EOM_LYAPUNOV_PAPER)
+    fputs(" dashtype '-' notitle", script);
+  else
+    fprintf(script, " title 'N = %d'", r->ask.links);
+}
+
+/* The step of the printed scheme's runs, as a part of a title; empty where there is none. */
+static void print_legend_of_dashes(FILE *script, const run *const *runs, int count) {
+  const run *last = runs[count - 1];
+  if (last->ask.scheme == EOM_LYAPUNOV_PAPER) fprintf(script, " (dashed: the scheme as printed, step %g s)", last->step);
 }
 
 int figure_maximal(const char *path, const run *const *runs, int count) {
@@ -56,30 +74,45 @@ int figure_maximal(const char *path, const run *const *runs, int count) {
   for (int i = 0; i < count; i++) print_data(g.script, runs[i], i);
   print_style(g.script);
   print_time_axis(g.script, runs[0]);
-  fputs("set title 'Maximal Lyapunov exponent of the planar N-pendulum'\nset ylabel '{/Symbol l}_1(t), 1/s'\n", g.script);
+  fputs("set title 'Maximal Lyapunov exponent of the planar N-pendulum'\nset ylabel 'λ₁(t), 1/s'\n", g.script);
   for (int i = 0; i < count; i++) print_curve(g.script, runs[i], i, 2);
   fputc('\n', g.script);
   return gnuplot_close(&g);
 }
 
+enum { SUBSCRIPT_SIZE = 3 * 3 + 1 /* three digits of three bytes each */ };
+
+/* A number from 0 to 999 in subscript digits. */
+static const char *subscript(int number, char *text) {
+  static const char *const digit[] = {"₀", "₁", "₂", "₃", "₄", "₅", "₆", "₇", "₈", "₉"};
+  snprintf(text, SUBSCRIPT_SIZE, "%s%s%s", number >= 100 ? digit[number / 100 % 10] : "", number >= 10 ? digit[number / 10 % 10] : "",
+           digit[number % 10]);
+  return text;
+}
+
 int figure_spectrum(const char *path, const run *r) {
   gnuplot g;
-  int exponents = 2 * r->ask.links;
+  int exponents = 2 * r->ask.links, every = 1 + exponents / MOST_NAMES;
+  char digits[SUBSCRIPT_SIZE];
   if (gnuplot_open(&g, path, 900, 540) != 0) return -1;
   print_data(g.script, r, 0);
   print_style(g.script);
   print_time_axis(g.script, r);
   fprintf(g.script, "set title 'Lyapunov exponents of the planar pendulum with %d link%s'\n", r->ask.links,
           r->ask.links == 1 ? "" : "s");
-  fputs("set ylabel '{/Symbol l}_i(t), 1/s'\n"
-        "set key enhanced\n"
+  fputs("set ylabel 'λᵢ(t), 1/s'\n"
         "set palette defined (0 '#b2182b', 0.35 '#ef8a62', 0.5 '#8a8a8a', 0.65 '#67a9cf', 1 '#2166ac')\n"
         "unset colorbox\n"
         "set xzeroaxis linecolor '#404040'\n",
         g.script);
-  for (int i = 0; i < exponents; i++)
-    fprintf(g.script, "%s$run0 using 1:%d with lines linecolor palette frac %.4f linewidth 1.6 title '{/Symbol l}_{%d}'",
-            i == 0 ? "plot " : ", ", i + 2, (double)i / (exponents - 1), i + 1);
+  for (int i = 0; i < exponents; i++) {
+    fprintf(g.script, "%s$run0 using 1:%d with lines linecolor palette frac %.4f linewidth 1.6", i == 0 ? "plot " : ", ", i + 2,
+            (double)i / (exponents - 1));
+    if (i % every == 0 || i == exponents - 1)
+      fprintf(g.script, " title 'λ%s'", subscript(i + 1, digits));
+    else
+      fputs(" notitle", g.script);
+  }
   fputc('\n', g.script);
   return gnuplot_close(&g);
 }
@@ -90,12 +123,16 @@ int figure_errors(const char *path, const run *const *runs, int count) {
   for (int i = 0; i < count; i++) print_data(g.script, runs[i], i);
   print_style(g.script);
   print_time_axis(g.script, runs[0]);
-  fputs("set logscale y\nset format y '10^{%T}'\nset lmargin 12\nset rmargin 24\n"
+  fputs("set logscale y\nset format y '%.0e'\nset lmargin 12\nset rmargin 14\n"
         "set multiplot layout 2,1\n"
-        "set title 'Energy error'\nset ylabel '|E - E_0|, J'\n",
+        "set title 'Energy error",
         g.script);
+  print_legend_of_dashes(g.script, runs, count);
+  fputs("'\nset ylabel '|E - E₀|, J'\n", g.script);
   for (int i = 0; i < count; i++) print_curve(g.script, runs[i], i, energy_column(runs[i]));
-  fputs("\nset title 'Loss of orthogonality'\nset ylabel 'max |Q^TQ - I|'\n", g.script);
+  fputs("\nset title 'Loss of orthogonality", g.script);
+  print_legend_of_dashes(g.script, runs, count);
+  fputs("'\nset ylabel 'max |QᵀQ - I|'\n", g.script);
   for (int i = 0; i < count; i++) print_curve(g.script, runs[i], i, orthogonality_column(runs[i]));
   fputs("\nunset multiplot\n", g.script);
   return gnuplot_close(&g);

@@ -11,7 +11,7 @@ static const double first_step = 0.02; /* s: about a hundredth of the period of 
 static const double trial_time = 20.0; /* s: some ten swings */
 static const double safety = 0.2;      /* of the bound that a trial may use up: chaotic motion has worse moments to come */
 
-enum { MOST_TRIALS = 12, LOOK_EVERY = 64 /* steps between two looks at the user's wish to stop */ };
+enum { MOST_TRIALS = 12 };
 
 typedef struct watch {
   eom_system *sys;
@@ -29,7 +29,7 @@ static int observe(void *user, const eom_integrator *it) {
   double error = fabs(energy_of(w, it) - w->energy0);
   if (w->status != EOM_OK) return 1;
   w->worst = fmax(w->worst, error);
-  return w->worst > w->bound || (it->steps % LOOK_EVERY == 0 && interrupted());
+  return w->worst > w->bound || interrupted();
 }
 
 motion motion_do(const run_request *ask, double step, double t_end, double bound) {

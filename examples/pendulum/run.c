@@ -13,9 +13,8 @@ const double energy_bound = 1e-6;
 const double paper_step = 0.05;
 
 static const double g = 9.81;           /* m/s^2 */
+static const double rounding = 1e-12;   /* relative, of a quotient of two times that stands for a whole number */
 static const double shorter_step = 0.7; /* of a step that turned out too long: leaves a sixth of its energy error */
-
-enum { LOOK_EVERY = 16 /* steps between two looks at the user's wish to stop */ };
 
 int run_width(const run *r) { return 2 * r->ask.links + 3; }
 
@@ -25,8 +24,11 @@ struct pendulum run_pendulum(int links) {
   return p;
 }
 
+/* How many parts of at most the given length make up the whole. */
+static double whole_parts(double whole, double part) { return ceil(whole / part * (1.0 - rounding)); }
+
 /* The number of rows of the whole run, and the number of the step nearest to the time of row i; the last row is at t_end. */
-static long row_count(const run_request *ask) { return (long)ceil(ask->t_end / ask->every * (1.0 - DBL_EPSILON)); }
+static long row_count(const run_request *ask) { return (long)whole_parts(ask->t_end, ask->every); }
 
 static long step_of_row(const run *r, long i, long steps) {
   return i >= row_count(&r->ask) ? steps : lround((double)i * r->ask.every / r->step);
@@ -71,10 +73,8 @@ static void advance(run *r, eom_lyapunov *ly) {
       break;
     }
     measure(r, ly);
-    if (i % LOOK_EVERY == 0) {
-      r->done = (double)i / (double)steps;
-      if (interrupted()) r->end = RUN_INTERRUPTED;
-    }
+    r->done = (double)i / (double)steps;
+    if (interrupted()) r->end = RUN_INTERRUPTED;
     if (i == next_row) {
       keep_row(r, ly);
       next_row = step_of_row(r, r->nrow + 1, steps);
@@ -91,7 +91,7 @@ static void attempt(run *r, eom_system *sys) {
   double y[2 * PENDULUM_MAX_LINKS] = {r->ask.theta0};
 
   options.scheme = r->ask.scheme;
-  r->step = r->ask.t_end / ceil(r->ask.t_end / r->step * (1.0 - DBL_EPSILON));
+  r->step = r->ask.t_end / whole_parts(r->ask.t_end, r->step);
   r->nrow = 0;
   r->worst_energy_error = 0.0;
   r->t_orthogonality_lost = -1.0;
@@ -107,7 +107,7 @@ static void attempt(run *r, eom_system *sys) {
 static double starting_step(const run_request *ask) {
   if (ask->step > 0.0) return ask->step;
   double row = fmin(ask->every, ask->t_end);
-  return row / ceil(row / choose_step(ask));
+  return row / whole_parts(row, choose_step(ask));
 }
 
 void run_do(run *r) {

@@ -147,12 +147,12 @@ static int write_table(const char *path, const entry *entries, int links) {
 }
 
 static int write_results(const table1_request *ask, const entry *entries) {
-  const run *runs[TABLE1_LINKS], *paper[TABLE1_LINKS];
+  const run *runs[TABLE1_LINKS], *printed_scheme[TABLE1_LINKS];
   int status = 0;
-  for (int i = 0; i < ask->links; i++) runs[i] = &entries[i].exponents, paper[i] = &entries[i].paper;
+  for (int i = 0; i < ask->links; i++) runs[i] = &entries[i].exponents, printed_scheme[i] = &entries[i].shorter;
   if (ask->csv != NULL && write_table(ask->csv, entries, ask->links) != 0) status = -1;
   if (ask->plot != NULL && figure_maximal(ask->plot, runs, ask->links) != 0) status = -1;
-  if (ask->figures != NULL && folder_write(ask->figures, runs, paper, ask->links) != 0) status = -1;
+  if (ask->figures != NULL && folder_write(ask->figures, runs, printed_scheme, ask->links) != 0) status = -1;
   return status;
 }
 
