@@ -130,11 +130,11 @@ static bool derivatives_agree(const chart *c, int n, int i, int j) {
 
 static eom_status check_inverse(eom_system *sys, const chart *c, const eom_function *inverse, const tl_real *q) {
   const int n = sys->n;
-  for (int i = 0; i < n; i++) {
+  for (int i = 0; i < n; i++)
     if (!returns(c, n, i, q[i])) return not_inverse(sys, inverse, i);
+  for (int i = 0; i < n; i++)
     for (int j = 0; j < n; j++)
       if (!derivatives_agree(c, n, i, j)) return not_inverse(sys, inverse, i);
-  }
   return EOM_OK;
 }
 
@@ -163,14 +163,15 @@ static void fill(const eom_system *sys, chart *c, tl_real *F_z) {
 eom_status eom_linearise_in(eom_system *sys, const eom_coordinates *coordinates, tl_real *F_z, tl_real *z, const tl_real *q,
                             const tl_real *qd, tl_real t, void *memory, size_t bytes) {
   assert(sys && coordinates && F_z && q && qd);
-  if (eom_linearise(sys, q, qd, t) != EOM_OK) return sys->report.status;
   const int n = sys->n;
   const size_t need = eom_coordinates_bytes(sys, coordinates);
+  sys->report = (eom_report){.status = EOM_OK, .index = -1, .rank = -1};
   if (need == 0) return sys->report.status = EOM_BAD_MODEL;
   if (!memory || bytes < need) return sys->report.status = EOM_NO_MEMORY;
   chart c = {0};
   eom_arena arena = eom_arena_at(memory);
   if (!lay_out(&c, sys, coordinates, &arena)) return sys->report.status = EOM_NO_MEMORY;
+  if (eom_linearise(sys, q, qd, t) != EOM_OK) return sys->report.status;
 
   tl_real *out;
   if (run(sys, &c.v_of_q, &coordinates->v_of_q, q, qd, sys->qdd, t, &out) != EOM_OK) return sys->report.status;
