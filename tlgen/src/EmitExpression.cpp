@@ -91,15 +91,23 @@ Address FunctionEmitter::place(const Expr *e) {
     if (e->args[0]->kind == Expr::AddressOf || e->args[0]->kind == Expr::Decay) return place(e->args[0]->args[0]);
     return {operand(pointer(e->args[0]), Postfix), {}};
   }
-  case Expr::Assign:
-  case Expr::Step: // done before, as a statement
-    evaluate(e);
-    return place(e->args[0]);
+  case Expr::Assign: return {operand(assign(e), Postfix), {}}; // done before, as a statement
+  case Expr::Step: return {operand(step(e), Postfix), {}};
   default: std::abort(); // no other expression is an active object
   }
 }
 
 std::string FunctionEmitter::address(const Expr *e) { return place(e).pointer(); }
+
+// An address that may be written down more than once: what has an effect stands in a variable.
+Text FunctionEmitter::fixedAddress(const Expr *lvalue) {
+  Address a = place(lvalue);
+  bool again = lvalue->kind == Expr::Assign || lvalue->kind == Expr::Step; // fixed already
+  if (again || !hasEffect(lvalue)) return {a.pointer(), a.offset().empty() ? Postfix : Sum};
+  std::string fixed = fresh("place");
+  line(std::string(lvalue->type->isConst ? "const " : "") + "tl_real *const " + fixed + " = " + a.pointer() + ";");
+  return {fixed, Primary};
+}
 
 // A pointer to active numbers.
 Text FunctionEmitter::pointer(const Expr *e) {
@@ -132,15 +140,32 @@ Text FunctionEmitter::pointer(const Expr *e) {
   }
   case Expr::Conditional:
     return {operand(value(e->args[0]), Or) + " ? " + operand(pointer(e->args[1]), Choice) + " : " + operand(pointer(e->args[2]), Choice), Choice};
-  case Expr::Comma: return {operand(value(e->args[0]), Assignment) + ", " + operand(pointer(e->args[1]), Assignment), Sequence};
+  case Expr::Comma:
+    if (needsStatements(e)) return evaluate(e->args[0]), pointer(e->args[1]);
+    return {operand(value(e->args[0]), Assignment) + ", " + operand(pointer(e->args[1]), Assignment), Sequence};
   default: std::abort(); // pointers to pointers are refused
   }
 }
 
 // ---- values
 
+// What makes a decimal literal one of that type; null where only a cast does.
+static const char *integerSuffix(const std::string &type) {
+  static const std::pair<const char *, const char *> table[] = {
+      {"int", ""}, {"unsigned int", "u"}, {"long", "l"}, {"unsigned long", "ul"}, {"long long", "ll"}, {"unsigned long long", "ull"}};
+  for (const auto &entry : table)
+    if (type == entry.first) return entry.second;
+  return nullptr;
+}
+
 Text FunctionEmitter::value(const Expr *e) {
   if (activePointer(e)) return pointer(e);
+  if (e->kind == Expr::Step && !e->prefix && activeObject(e)) { // the old value
+    std::string x = fixedAddress(e->args[0]).s, old = fresh("old");
+    line("const tl_real " + old + " = *" + (x.find(' ') == std::string::npos ? x : "(" + x + ")") + ";");
+    stepAt(x, e);
+    return {old, Primary};
+  }
   if (isObject(e) || ((e->kind == Expr::Assign || e->kind == Expr::Step) && activeObject(e))) return {place(e).value(), Postfix};
   switch (e->kind) {
   case Expr::Literal: return {e->text, e->text[0] == '-' ? Prefix : Primary};
@@ -167,21 +192,22 @@ Text FunctionEmitter::value(const Expr *e) {
   }
   case Expr::Cast: {
     const Expr *inner = e->args[0];
-    bool plainInteger = inner->kind == Expr::Literal && inner->type->kind == Type::Integer && inner->text.find_first_not_of("-0123456789") == std::string::npos;
+    bool plainInteger = inner->kind == Expr::Literal && inner->type->kind == Type::Integer && inner->text.find_first_not_of("0123456789") == std::string::npos;
     if (plainInteger && e->type->kind == Type::Real) return {inner->text + ".0", Primary};
-    if (plainInteger && e->type->kind == Type::Integer) return value(inner);
+    if (plainInteger && e->type->kind == Type::Integer && integerSuffix(e->type->name)) return {inner->text + integerSuffix(e->type->name), Primary};
     if (e->type->kind == Type::Pointer) return value(inner); // only qualifiers change
     return {"(" + tlgen::declaration(e->type, "") + ")" + operand(value(inner), Prefix), Prefix};
   }
   case Expr::Assign: return binaryText(e->text, value(e->args[0]), value(e->args[1]));
   case Expr::Step: return e->prefix ? unaryText(e->text, value(e->args[0])) : Text{operand(value(e->args[0]), Postfix) + e->text, Postfix};
   case Expr::Comma:
-    if (!needsStatements(e->args[0])) return binaryText(",", value(e->args[0]), value(e->args[1]));
+    if (!needsStatements(e)) return binaryText(",", value(e->args[0]), value(e->args[1]));
     evaluate(e->args[0]);
     return value(e->args[1]);
   case Expr::InitList: {
     std::string items;
-    for (const Expr *item : e->args) items += (items.empty() ? "" : ", ") + (item ? operand(value(item), Assignment) : std::string("0"));
+    for (size_t i = 0; i < e->args.size(); ++i)
+      items += (i ? ", " : "") + (e->args[i] ? operand(value(e->args[i]), Assignment) : zeroItem(e->type, i));
     std::string type = e->text == "compound" ? "(" + tlgen::declaration(e->type, "") + ")" : "";
     return {type + "{" + (items.empty() ? "0" : items) + "}", Primary};
   }
@@ -288,8 +314,9 @@ void FunctionEmitter::into(const std::string &dest, const Expr *e) {
     return line("}");
   case Expr::Step:
     if (!e->prefix) { // the old value
-      operation("copy", dest + ", " + address(e->args[0]));
-      return evaluate(e);
+      std::string x = fixedAddress(e->args[0]).s;
+      operation("copy", dest + ", " + x);
+      return stepAt(x, e);
     }
     return operation("copy", dest + ", " + address(e));
   case Expr::InitList: { // the destination may stand in the list
@@ -297,7 +324,7 @@ void FunctionEmitter::into(const std::string &dest, const Expr *e) {
     initObject(list, e->type, e);
     return copyObject(dest, list, e->type);
   }
-  default: return copyObject(dest, address(e), e->type);
+  default: return copyObject(dest, fixedAddress(e).s, e->type);
   }
 }
 

@@ -263,7 +263,9 @@ void FunctionEmitter::constants(const std::string &base, const Type *type, const
 void FunctionEmitter::copyObject(const std::string &dest, const std::string &source, const Type *type) {
   long count = elements(type);
   if (count == 1) return operation("copy", dest + ", " + source);
-  line("for (ptrdiff_t k_ = 0; k_ < " + std::to_string(count) + "*nc; k_ += nc) tl_copy(cx, " + dest + " + k_, " + source + " + k_);");
+  std::string k = fresh("k");
+  line("for (ptrdiff_t " + k + " = 0; " + k + " < " + std::to_string(count) + "*nc; " + k + " += nc) tl_copy(cx, " + dest + " + " + k + ", " +
+       source + " + " + k + ");");
 }
 
 void FunctionEmitter::evaluate(const Expr *e) {
@@ -272,51 +274,69 @@ void FunctionEmitter::evaluate(const Expr *e) {
     evaluate(e->args[0]);
     return evaluate(e->args[1]);
   }
-  if (e->kind == Expr::Assign && activeObject(e->args[0])) return assign(e);
+  if (e->kind == Expr::Assign && activeObject(e->args[0])) {
+    assign(e);
+    return;
+  }
   if (e->kind == Expr::Step && activeObject(e->args[0])) {
-    quote(e->loc);
-    std::string x = address(e->args[0]);
-    return operation("shift", x + ", " + x + ", " + (e->text == "++" ? "1" : "-1"));
+    step(e);
+    return;
   }
   if (e->kind == Expr::Call && v_.callees.at(e)->active()) {
     quote(e->loc);
     return line(callText(e, find(v_.callees.at(e)->result)->active ? temporary(e->type) : "") + ";");
   }
-  bool effect = e->kind == Expr::Assign || e->kind == Expr::Step || e->kind == Expr::Call;
-  line((effect ? "" : "(void)") + operand(value(e), effect ? Assignment : Prefix) + ";");
+  line(effect(e) + ";");
 }
 
-void FunctionEmitter::assign(const Expr *e) {
+// An expression whose value nobody takes.
+std::string FunctionEmitter::effect(const Expr *e) {
+  if (e->kind == Expr::Step && activePointer(e->args[0])) { // the value of p++ would be p - 1
+    Expr prefix = *e;
+    prefix.prefix = true;
+    return pointer(&prefix).s;
+  }
+  bool effect = e->kind == Expr::Assign || e->kind == Expr::Step || e->kind == Expr::Call;
+  return (effect ? "" : "(void)") + operand(value(e), effect ? Assignment : Prefix);
+}
+
+// x++ and the like; the address of x.
+Text FunctionEmitter::step(const Expr *e) {
+  quote(e->loc);
+  Text x = fixedAddress(e->args[0]);
+  stepAt(x.s, e);
+  return x;
+}
+
+void FunctionEmitter::stepAt(const std::string &x, const Expr *e) { operation("shift", x + ", " + x + ", " + (e->text == "++" ? "1" : "-1")); }
+
+// lhs op= rhs; the address of lhs.
+Text FunctionEmitter::assign(const Expr *e) {
   quote(e->loc);
   const Expr *lhs = e->args[0], *rhs = e->args[1];
-  std::string x = address(lhs);
-  if (hasEffect(lhs)) {
-    std::string place = fresh("place");
-    line("tl_real *const " + place + " = " + x + ";");
-    x = place;
-  }
-  if (e->text == "=") return into(x, rhs);
+  Text at = fixedAddress(lhs);
+  const std::string &x = at.s;
+  if (e->text == "=") return into(x, rhs), at;
   std::string op = e->text.substr(0, 1);
   if (!isJet(rhs)) {
-    std::string k = value(rhs).s;
-    if (op == "+") return operation("shift", x + ", " + x + ", " + k);
-    if (op == "-") return operation("shift", x + ", " + x + ", " + unaryText("-", value(rhs)).s);
-    if (op == "*") return operation("scale", x + ", " + x + ", " + k);
-    return operation("divc", x + ", " + x + ", " + k);
+    Text k = value(rhs);
+    const char *name = op == "+" || op == "-" ? "shift" : op == "*" ? "scale" : "divc";
+    return operation(name, x + ", " + x + ", " + (op == "-" ? unaryText("-", k).s : operand(k, Assignment))), at;
   }
   bool scaledTerm = rhs->kind == Expr::Binary && rhs->text == "*" && isJet(rhs->args[0]) != isJet(rhs->args[1]);
   if (scaledTerm && (op == "+" || op == "-")) {
     const Expr *factor = rhs->args[isJet(rhs->args[0]) ? 1 : 0], *term = rhs->args[isJet(rhs->args[0]) ? 0 : 1];
-    std::string k = op == "-" ? unaryText("-", value(factor)).s : value(factor).s;
-    return operation("axpy", x + ", " + k + ", " + jet(term));
+    Text k = value(factor);
+    std::string y = jet(term);
+    return operation("axpy", x + ", " + (op == "-" ? unaryText("-", k).s : operand(k, Assignment)) + ", " + y), at;
   }
   if (rhs->kind == Expr::Binary && rhs->text == "*" && op == "+" && isAlone(lhs, rhs->args[0]) && isAlone(lhs, rhs->args[1])) {
     std::string a = jet(rhs->args[0]), b = jet(rhs->args[1]);
-    return operation("muladd", x + ", " + a + ", " + b);
+    return operation("muladd", x + ", " + a + ", " + b), at;
   }
   std::string y = jet(rhs);
   const char *name = op == "+" ? "add" : op == "-" ? "sub" : op == "*" ? "mul" : "div";
-  operation(name, x + ", " + x + ", " + y);
+  return operation(name, x + ", " + x + ", " + y), at;
 }
 
 // True where lhs is a local number that the factor, if it is an object itself, cannot be.
@@ -357,7 +377,7 @@ void FunctionEmitter::loop(const Stmt *s) {
       const Stmt *d = s->init->body[0];
       init = declaration(d->var->type, nameOf(d->var)) + (d->expr ? " = " + operand(value(d->expr), Assignment) : "");
     }
-    line("for (" + init + "; " + cond + "; " + (s->step ? value(s->step).s : "") + ") {");
+    line("for (" + init + "; " + cond + "; " + (s->step ? effect(s->step) : "") + ") {");
   }
   body(s->then);
   line("}");
@@ -450,6 +470,7 @@ bool FunctionEmitter::sincosPair(const Stmt *first, const Stmt *second) {
   std::string place = address(x);
   if (place != address(y)) return false;
   if (x->kind == Expr::Ref && (x->var == a.var || x->var == b.var)) return false;
+  if (x->kind == Expr::Index && !a.declares && addressTaken_.count(a.var)) return false; // the element may be that variable
   quote(first->loc);
   for (const Half &h : {a, b})
     if (h.declares) line("tl_real *const " + nameOf(h.var) + " = " + slot(slots_++) + ";");

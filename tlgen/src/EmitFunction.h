@@ -54,7 +54,10 @@ private:
   void constants(const std::string &base, const Type *type, const Text &text);
   void copyObject(const std::string &dest, const std::string &source, const Type *type);
   void evaluate(const Expr *e);
-  void assign(const Expr *e);
+  Text assign(const Expr *e);
+  Text step(const Expr *e);
+  void stepAt(const std::string &x, const Expr *e);
+  std::string effect(const Expr *e);
   bool isAlone(const Expr *lhs, const Expr *factor) const;
   void branch(const Stmt *s);
   void loop(const Stmt *s);
@@ -71,6 +74,7 @@ private:
   Text pointer(const Expr *e);
   Address place(const Expr *lvalue);
   std::string address(const Expr *lvalue);
+  Text fixedAddress(const Expr *lvalue);
   std::string jet(const Expr *e);
   void into(const std::string &dest, const Expr *e);
   void binaryInto(const std::string &dest, const Expr *e);

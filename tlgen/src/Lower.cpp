@@ -26,6 +26,14 @@ std::string printDouble(double x) {
   return s.find_first_of(".en") == std::string::npos ? s + ".0" : s;
 }
 
+// What makes an integer literal one of its type.
+std::string suffix(c::QualType type) {
+  std::string s = type->isSignedIntegerType() ? "" : "u";
+  if (type->isSpecificBuiltinType(c::BuiltinType::Long) || type->isSpecificBuiltinType(c::BuiltinType::ULong)) return s + "l";
+  if (type->isSpecificBuiltinType(c::BuiltinType::LongLong) || type->isSpecificBuiltinType(c::BuiltinType::ULongLong)) return s + "ll";
+  return s;
+}
+
 class Lowering {
 public:
   Lowering(const Source &source, Program &program) : source_(source), program_(program) {}
@@ -306,10 +314,7 @@ Expr *Lowering::expr(const c::Expr *e) {
     llvm::SmallString<24> text;
     bool isSigned = e->getType()->isSignedIntegerType();
     lit->getValue().toString(text, 10, isSigned);
-    std::string suffix = isSigned ? "" : "u";
-    if (e->getType()->isSpecificBuiltinType(c::BuiltinType::Long) || e->getType()->isSpecificBuiltinType(c::BuiltinType::ULong)) suffix += "l";
-    if (e->getType()->isSpecificBuiltinType(c::BuiltinType::LongLong) || e->getType()->isSpecificBuiltinType(c::BuiltinType::ULongLong)) suffix += "ll";
-    return node(Expr::Literal, e, {}, text.str().str() + suffix);
+    return node(Expr::Literal, e, {}, text.str().str() + suffix(e->getType()));
   }
   if (const auto *lit = llvm::dyn_cast<c::CharacterLiteral>(e)) return node(Expr::Literal, e, {}, std::to_string(lit->getValue()));
   if (const auto *lit = llvm::dyn_cast<c::FloatingLiteral>(e)) {
@@ -322,7 +327,7 @@ Expr *Lowering::expr(const c::Expr *e) {
     size->EvaluateAsInt(result, *context_);
     llvm::SmallString<24> text;
     result.Val.getInt().toString(text, 10);
-    return node(Expr::Literal, e, {}, text.str().str() + "u");
+    return node(Expr::Literal, e, {}, text.str().str() + suffix(e->getType()));
   }
   if (const auto *ref = llvm::dyn_cast<c::DeclRefExpr>(e)) {
     if (const auto *constant = llvm::dyn_cast<c::EnumConstantDecl>(ref->getDecl())) {

@@ -60,12 +60,25 @@ std::string definition(const Record *record) {
   return s + (anonymous ? "} " + record->spelling : "}") + ";\n";
 }
 
+// All members are named: compilers warn where an initialiser leaves some out.
+static std::string zero(const Type *type) {
+  if (type->kind == Type::Array) return "{" + zero(type->element) + "}";
+  if (type->kind != Type::Struct) return "0";
+  std::string s;
+  for (const Field &field : type->record->fields) s += (s.empty() ? "" : ", ") + zero(field.type);
+  return "{" + s + "}";
+}
+
+std::string zeroItem(const Type *type, size_t i) {
+  return zero(type->kind == Type::Array ? type->element : type->kind == Type::Struct ? type->record->fields[i].type : type);
+}
+
 std::string initializer(const Expr *e) {
   if (!e) return "0";
   switch (e->kind) {
   case Expr::InitList: {
     std::string s = "{";
-    for (size_t i = 0; i < e->args.size(); ++i) s += (i ? ", " : "") + initializer(e->args[i]);
+    for (size_t i = 0; i < e->args.size(); ++i) s += (i ? ", " : "") + (e->args[i] ? initializer(e->args[i]) : zeroItem(e->type, i));
     return s + (e->args.empty() ? "0}" : "}");
   }
   case Expr::Literal: return e->text;

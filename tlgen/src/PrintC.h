@@ -31,6 +31,9 @@ std::string definition(const Record *record);
 // A literal or initialiser list without active values.
 std::string initializer(const Expr *e);
 
+// What stands for an item that an initialiser list of that type leaves out.
+std::string zeroItem(const Type *type, size_t i);
+
 // How many numbers an object of the type holds: 1, or those of all elements of an array or members of a struct.
 long elements(const Type *type);
 

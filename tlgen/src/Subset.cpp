@@ -47,6 +47,15 @@ public:
   Walker(const Source &source, const FunctionDecl *function, std::set<const FunctionDecl *> &callees)
       : source_(source), context_(function->getASTContext()), callees_(callees) {}
 
+  // Only what a list means, not how it was written: designators are resolved.
+  bool TraverseInitListExpr(InitListExpr *list, DataRecursionQueue * = nullptr) {
+    if (InitListExpr *meaning = list->getSemanticForm()) list = meaning;
+    VisitStmt(list);
+    for (Expr *item : list->inits())
+      if (item) TraverseStmt(item);
+    return true;
+  }
+
   bool VisitStmt(Stmt *s) {
     if (const char *id = refusedStmt(s)) report(id, s->getBeginLoc(), std::string("'") + spelling(s) + "'");
     return true;
