@@ -89,24 +89,41 @@ static int is_constant(const tl_shape *s, const tl_real *a) {
   return 1;
 }
 
-/* a^b = exp(b log a), E c = c E(b log a). At a_0 <= 0 only a constant exponent, or one that is larger than the degree at 0. */
+/* a^b = a^(b_0) exp((b - b_0) log a): the first factor by the recurrence of a constant exponent, the second from a jet without value,
+ * so that powers of b_0 and of log a_0 do not cancel. a_0 > 0. */
+static void power(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b, tl_real value) {
+  const tl_shape *s = cx->shape;
+  const tl_real scale = tl_normaliser(a[0]), exponent = b[0];
+  tl_real *l = tl_scratch(cx, 1), *h = tl_scratch(cx, 2), *x = tl_scratch(cx, 3), *factor = tl_scratch(cx, 4),
+          *base = tl_scratch(cx, 5);
+  logarithm(cx, l, a, a[0], TL_LIBM(log)(a[0]), TL_C(1.0), TL_FN_pow);
+  for (int i = 0; i < s->ncoef; i++) {
+    x[i] = scale * a[i];
+    h[i] = b[i];
+  }
+  h[0] = TL_C(0.0);
+  tl_product_blocks(s, h, h, l);
+  factor[0] = TL_C(1.0);
+  tl_exp_blocks(s, factor, TL_C(1.0), h);
+  base[0] = value;
+  tl_power_blocks(s, base, exponent, TL_C(1.0), x);
+  tl_product_blocks(s, c, base, factor);
+  c[0] = value;
+  tl_check(cx, c, TL_FN_pow);
+}
+
+/* At a_0 <= 0 only a constant exponent, or one that is larger than the degree at 0. */
 void tl_pow(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
   const tl_real value = TL_LIBM(pow)(a[0], b[0]);
   if (!tl_accept(cx, c, a[0], TL_FN_pow) || !tl_accept(cx, c, b[0], TL_FN_pow)) return;
-  if (is_constant(cx->shape, b)) {
+  if (is_constant(cx->shape, b))
     tl_powc(cx, c, a, b[0]);
-  } else if (a[0] > TL_C(0.0)) {
-    tl_real *m = tl_scratch(cx, 1);
-    logarithm(cx, m, a, a[0], TL_LIBM(log)(a[0]), TL_C(1.0), TL_FN_pow);
-    tl_product_blocks(cx->shape, m, m, b);
-    c[0] = value;
-    tl_exp_blocks(cx->shape, c, TL_C(1.0), m);
-    tl_check(cx, c, TL_FN_pow);
-  } else if (a[0] == TL_C(0.0) && b[0] > (tl_real)cx->shape->degree) {
+  else if (a[0] > TL_C(0.0))
+    power(cx, c, a, b, value);
+  else if (a[0] == TL_C(0.0) && b[0] > (tl_real)cx->shape->degree)
     tl_row_zero(cx->shape->ncoef, c);
-  } else {
+  else
     tl_reject(cx, c, TL_ISFINITE(value) ? TL_SINGULAR : TL_DOMAIN, TL_FN_pow);
-  }
 }
 
 /* exp(-x^2) = exp(-h^2) exp(-(x-h)(x+h)) with h = x rounded to a multiple of 1/16: h^2 is exact and the second exponent small, so that
@@ -116,10 +133,18 @@ static tl_real gauss(tl_real x) {
   return TL_LIBM(exp)(-h * h) * TL_LIBM(exp)(-(x - h) * (x + h));
 }
 
+/* From here on exp(-x^2), below e^-1600, times any power of any number of the range is zero. */
+static const tl_real FLAT = TL_C(40.0);
+
 /* E erf(a) = 2/sqrt(pi) g E a with g = exp(-a^2), E g = g E(-a^2). */
 void tl_erf(tl_ctx *cx, tl_real *c, const tl_real *a) {
   if (!tl_accept(cx, c, a[0], TL_FN_erf)) return;
   const tl_real *x = tl_unaliased(cx, a, c, 0);
+  if (TL_LIBM(fabs)(x[0]) > FLAT) {
+    tl_check(cx, x, TL_FN_erf);
+    tl_const(cx, c, TL_LIBM(erf)(x[0]));
+    return;
+  }
   tl_real *q = tl_scratch(cx, 1), *g = tl_scratch(cx, 2);
   q[0] = TL_C(0.0); /* only its derivatives are used */
   tl_square_blocks(cx->shape, q, -TL_C(1.0), x);

@@ -2,6 +2,7 @@
 #include "reference_function.h"
 
 #include <assert.h>
+#include <limits.h>
 #include <math.h>
 #include <stdlib.h>
 #include <string.h>
@@ -162,16 +163,16 @@ const ref_function ref_functions[] = {
      .two = mpfr_hypot,
      .reach = to_origin,
      .reach_y = to_origin,
-     .x = {EITHER(-300, 300), EITHER(-8, 8), EITHER(1020, 1022)},
-     .y = {EITHER(-300, 300), EITHER(-8, 8)},
-     .hard = {1e300, 1e-300, END}},
+     .x = {EITHER(-100, 100), EITHER(-8, 8)},
+     .y = {EITHER(-100, 100), EITHER(-8, 8)},
+     .hard = {1, -3, 0x1p100, END}},
     {.name = "atan2",
      .two = mpfr_atan2,
      .reach = to_cut,
      .reach_y = to_origin,
-     .x = {EITHER(-300, 300), EITHER(-8, 8), EITHER(1020, 1022)},
-     .y = {EITHER(-300, 300), EITHER(-8, 8)},
-     .hard = {1e300, 1e-300, END}},
+     .x = {EITHER(-100, 100), EITHER(-8, 8)},
+     .y = {EITHER(-100, 100), EITHER(-8, 8)},
+     .hard = {1, -3, 0x1p100, END}},
 };
 const int ref_nfunctions = (int)(sizeof ref_functions / sizeof *ref_functions);
 
@@ -202,7 +203,7 @@ void ref_draw(const ref_function *f, rng *r, double *x, double *y) {
 /* Differences on the nodes -NODES..NODES times the step: coefficient k of the interpolating polynomial is
  * step^-k sum_j value_j weight[j][k], weight[j] the coefficients of the Lagrange polynomial prod_{i != j} (u - i)/(j - i). Its error is
  * of relative size (step/reach)^2, far below the last bit of a double. */
-enum { NODES = 3, NVALUE = 2 * NODES + 1, STEP_BITS = 100, GUARD_BITS = 400, NOISE_BITS = 60 };
+enum { NODES = 3, NVALUE = 2 * NODES + 1, STEP_BITS = 100, GUARD_BITS = 400, NOISE_BITS = 60, TRUNCATION_BITS = 450 };
 
 static void lagrange(int j, long *numerator, long *denominator) {
   memset(numerator, 0, NVALUE * sizeof *numerator);
@@ -215,21 +216,14 @@ static void lagrange(int j, long *numerator, long *denominator) {
   }
 }
 
-/* c = 0 where it is nothing but rounding: sums of numbers up to size in this precision. */
-static void drop_noise(mpfr_t c, const mpfr_t size, mpfr_prec_t precision) {
-  if (mpfr_zero_p(c) || mpfr_zero_p(size)) return;
-  if (mpfr_get_exp(c) < mpfr_get_exp(size) - (mpfr_exp_t)precision + NOISE_BITS) mpfr_set_zero(c, 1);
-}
-
-/* c[k] = coefficient k of the polynomial through value[], for step 2^step. */
-static void interpolate(mpfr_t *c, int degree, mpfr_t *value, long step, mpfr_prec_t precision) {
+/* c[k] = coefficient k of the polynomial through value[], for step 2^step. A coefficient that is nothing but the values' rounding, of
+ * size 2^noise each, is zero. */
+static void interpolate(mpfr_t *c, int degree, mpfr_t *value, long step, long noise, mpfr_prec_t precision) {
   long numerator[NVALUE], denominator;
-  mpfr_t term, size;
-  mpfr_inits2(precision, term, size, (mpfr_ptr)0);
-  mpfr_set_zero(size, 1);
+  mpfr_t term;
+  mpfr_init2(term, precision);
   for (int k = 0; k <= degree; k++) mpfr_set_zero(c[k], 1);
   for (int j = 0; j < NVALUE; j++) {
-    if (mpfr_cmpabs(value[j], size) > 0) mpfr_set(size, value[j], MPFR_RNDN);
     lagrange(j - NODES, numerator, &denominator);
     for (int k = 0; k <= degree; k++) {
       mpfr_mul_si(term, value[j], numerator[k], MPFR_RNDN);
@@ -238,10 +232,18 @@ static void interpolate(mpfr_t *c, int degree, mpfr_t *value, long step, mpfr_pr
     }
   }
   for (int k = 0; k <= degree; k++) {
-    drop_noise(c[k], size, precision);
+    if (!mpfr_zero_p(c[k]) && mpfr_get_exp(c[k]) < noise + NOISE_BITS) mpfr_set_zero(c[k], 1);
     mpfr_mul_2si(c[k], c[k], -k * step, MPFR_RNDN);
   }
-  mpfr_clears(term, size, (mpfr_ptr)0);
+  mpfr_clear(term);
+}
+
+/* Exponent of the rounding of values as large as the largest of these. */
+static long noise_of(mpfr_t *value, mpfr_prec_t precision) {
+  long largest = LONG_MIN / 2;
+  for (int j = 0; j < NVALUE; j++)
+    if (!mpfr_zero_p(value[j]) && mpfr_get_exp(value[j]) > largest) largest = mpfr_get_exp(value[j]);
+  return largest - precision;
 }
 
 static long exponent_of(double x) { return x == 0.0 ? 0 : ilogb(x); }
@@ -278,13 +280,28 @@ static void taylor_one(const ref_function *function, double x, int degree, mpfr_
     node(at, x, j - NODES, step);
     function->one(value[j], at, MPFR_RNDN);
   }
-  interpolate(c, degree, value, step, precision);
+  interpolate(c, degree, value, step, noise_of(value, precision), precision);
   for (int i = 0; i <= degree; i++)
     for (int j = 0; j <= degree; j++) mpfr_set_zero(f[i * (degree + 1) + j], 1);
   for (int i = 0; i <= degree; i++) mpfr_set(f[i * (degree + 1)], c[i], MPFR_RNDN);
   clear_all(c, NVALUE);
   clear_all(value, NVALUE);
   mpfr_clear(at);
+}
+
+/* Drops coefficients that are nothing but the differences' own error, (step/reach)^6 relative to the largest, all taken times powers of
+ * the reaches. This drops true coefficients that small too: do not ask for such. */
+static void drop_truncation(mpfr_t *f, int degree, long reach, long reach_y) {
+  const int n = degree + 1;
+  long largest = LONG_MIN / 2;
+  for (int pass = 0; pass < 2; pass++)
+    for (int i = 0; i < n; i++)
+      for (int j = 0; j < n; j++) {
+        if (mpfr_zero_p(f[i * n + j])) continue;
+        const long size = mpfr_get_exp(f[i * n + j]) + i * reach + j * reach_y;
+        if (pass == 0 && size > largest) largest = size;
+        if (pass == 1 && size < largest - TRUNCATION_BITS) mpfr_set_zero(f[i * n + j], 1);
+      }
 }
 
 static void taylor_two(const ref_function *function, double x, double y, int degree, mpfr_t *f) {
@@ -295,6 +312,7 @@ static void taylor_two(const ref_function *function, double x, double y, int deg
   mpfr_inits2(precision, at, at_y, (mpfr_ptr)0);
   init_all(value, NVALUE, precision);
   init_all(c, NVALUE, precision);
+  long noise = LONG_MIN / 2;
   for (int i = 0; i < NVALUE; i++) { /* along_y[i][l]: coefficient l in y at node i of x */
     init_all(along_y[i], NVALUE, precision);
     node(at, x, i - NODES, step);
@@ -302,13 +320,16 @@ static void taylor_two(const ref_function *function, double x, double y, int deg
       node(at_y, y, j - NODES, step_y);
       function->two(value[j], at, at_y, MPFR_RNDN);
     }
-    interpolate(along_y[i], degree, value, step_y, precision);
+    const long here = noise_of(value, precision);
+    if (here > noise) noise = here;
+    interpolate(along_y[i], degree, value, step_y, here, precision);
   }
   for (int l = 0; l <= degree; l++) {
     for (int i = 0; i < NVALUE; i++) mpfr_set(value[i], along_y[i][l], MPFR_RNDN);
-    interpolate(c, degree, value, step, precision);
+    interpolate(c, degree, value, step, noise - l * step_y, precision);
     for (int i = 0; i <= degree; i++) mpfr_set(f[i * (degree + 1) + l], c[i], MPFR_RNDN);
   }
+  drop_truncation(f, degree, step + STEP_BITS, step_y + STEP_BITS);
   for (int i = 0; i < NVALUE; i++) clear_all(along_y[i], NVALUE);
   clear_all(c, NVALUE);
   clear_all(value, NVALUE);

@@ -1,0 +1,27 @@
+/* The elementary functions of jets by name, for the tests that treat them all alike. */
+#ifndef TEST_FUNCTIONS_H
+#define TEST_FUNCTIONS_H
+
+#include "taylor/taylor.h"
+
+typedef struct jet_function {
+  const char *name; /* as in reference_function.h */
+  void (*one)(tl_ctx *cx, tl_real *c, const tl_real *a);
+  void (*two)(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b);
+} jet_function;
+
+extern const jet_function jet_functions[];
+extern const int njet_functions;
+
+/* A shape with its tables, a context, and room for jets in frames, all on the heap; fails the program where there is no memory. */
+typedef struct jet_space {
+  tl_shape shape;
+  tl_ctx cx;
+  void *table;
+  tl_real *memory;
+} jet_space;
+
+void jet_space_init(jet_space *space, tl_spec spec, size_t njet);
+void jet_space_free(jet_space *space);
+
+#endif

@@ -1,0 +1,328 @@
+/* What each function reports at the ends of its domain and just beside them, and that no number that is not finite leaves unreported.
+ */
+#include "close.h"
+#include "functions.h"
+#include "random.h"
+
+#include <float.h>
+#include <math.h>
+#include <string.h>
+
+#define DENORMAL 0x1p-1074
+static const double ABOVE_ONE = 0x1.0000000000001p0, BELOW_ONE = 0x1.fffffffffffffp-1, LOG_MAX = 0x1.62e42fefa39efp9;
+
+/* A function of jets, its operands' values, and the status in a shape of degree 0 and in one of order 1 with both values seeded. */
+typedef void operation(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b);
+typedef struct boundary {
+  operation *f;
+  tl_fn function;
+  double x, y;
+  unsigned value_bits, jet_bits;
+} boundary;
+
+#define OPERATION(name)                                                                                                                \
+  static void on_##name(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {                                                  \
+    (void)b;                                                                                                                           \
+    tl_##name(cx, c, a);                                                                                                               \
+  }
+OPERATION(sqrt)
+OPERATION(cbrt)
+OPERATION(exp)
+OPERATION(expm1)
+OPERATION(exp2)
+OPERATION(log)
+OPERATION(log1p)
+OPERATION(log2)
+OPERATION(log10)
+OPERATION(sin)
+OPERATION(cos)
+OPERATION(tan) OPERATION(asin) OPERATION(acos) OPERATION(atan) OPERATION(sinh) OPERATION(cosh) OPERATION(tanh) OPERATION(asinh)
+    OPERATION(acosh) OPERATION(atanh) OPERATION(erf) OPERATION(fabs)
+
+        static void on_powc(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
+  tl_powc(cx, c, a, b[0]);
+}
+static void on_powi(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
+  tl_powi(cx, c, a, (int)fmax(-99.0, fmin(99.0, b[0])));
+}
+static void on_rpow(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) { tl_rpow(cx, c, a[0], b); }
+static void on_fma(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) { tl_fma(cx, c, a, b, a); }
+static void on_sincos(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
+  tl_real *sine = tl_push(cx, 1);
+  (void)b;
+  tl_sincos(cx, sine, c, a);
+  tl_pop(cx, 1);
+}
+
+enum { OK = TL_OK, D = TL_DOMAIN, S = TL_SINGULAR, N = TL_NONFINITE };
+
+#define AT(name, x, value, jet) {on_##name, TL_FN_##name, x, 0.0, value, jet}
+#define AT2(name, x, y, value, jet) {tl_##name, TL_FN_##name, x, y, value, jet}
+#define POWER(name, x, y, value, jet) {on_##name, TL_FN_pow, x, y, value, jet}
+
+static const boundary BOUNDARIES[] = {
+    AT(sqrt, 0.0, OK, S),
+    AT(sqrt, -0.0, OK, S),
+    AT(sqrt, DENORMAL, OK, OK),
+    AT(sqrt, -DENORMAL, D, D),
+    AT(sqrt, DBL_MAX, OK, OK),
+    AT(cbrt, 0.0, OK, S),
+    AT(cbrt, DENORMAL, OK, OK),
+    AT(cbrt, -DENORMAL, OK, OK),
+    AT(cbrt, -DBL_MAX, OK, OK),
+    AT(exp, LOG_MAX, OK, OK),
+    AT(exp, 710.0, N, N),
+    AT(exp, -DBL_MAX, OK, OK),
+    AT(expm1, LOG_MAX, OK, OK),
+    AT(expm1, 710.0, N, N),
+    AT(expm1, -DBL_MAX, OK, OK),
+    AT(expm1, 0.0, OK, OK),
+    AT(exp2, 0x1.fffffffffffffp9, OK, OK),
+    AT(exp2, 1024.0, N, N),
+    AT(exp2, -DBL_MAX, OK, OK),
+    AT(log, 0.0, D, D),
+    AT(log, -0.0, D, D),
+    AT(log, -DENORMAL, D, D),
+    AT(log, DENORMAL, OK, N),
+    AT(log, DBL_MIN, OK, OK),
+    AT(log, DBL_MAX, OK, OK),
+    AT(log1p, -1.0, D, D),
+    AT(log1p, -ABOVE_ONE, D, D),
+    AT(log1p, -BELOW_ONE, OK, OK),
+    AT(log1p, DBL_MAX, OK, OK),
+    AT(log1p, 0.0, OK, OK),
+    AT(log2, 0.0, D, D),
+    AT(log2, -DENORMAL, D, D),
+    AT(log2, DENORMAL, OK, N),
+    AT(log2, DBL_MIN, OK, OK),
+    AT(log10, 0.0, D, D),
+    AT(log10, -DENORMAL, D, D),
+    AT(log10, DENORMAL, OK, N),
+    AT(log10, DBL_MIN, OK, OK),
+    AT(sin, DBL_MAX, OK, OK),
+    AT(cos, DBL_MAX, OK, OK),
+    AT(tan, DBL_MAX, OK, OK),
+    AT(tan, 0x1.921fb54442d18p0, OK, OK),
+    AT(asin, 1.0, OK, S),
+    AT(asin, -1.0, OK, S),
+    AT(asin, BELOW_ONE, OK, OK),
+    AT(asin, ABOVE_ONE, D, D),
+    AT(asin, -ABOVE_ONE, D, D),
+    AT(asin, DBL_MAX, D, D),
+    AT(acos, 1.0, OK, S),
+    AT(acos, -1.0, OK, S),
+    AT(acos, BELOW_ONE, OK, OK),
+    AT(acos, ABOVE_ONE, D, D),
+    AT(acos, -ABOVE_ONE, D, D),
+    AT(acos, -DBL_MAX, D, D),
+    AT(atan, DBL_MAX, OK, OK),
+    AT(atan, -DBL_MAX, OK, OK),
+    AT(asinh, DBL_MAX, OK, OK),
+    AT(asinh, -DBL_MAX, OK, OK),
+    AT(sinh, 710.0, OK, OK),
+    AT(sinh, 711.0, N, N),
+    AT(sinh, -711.0, N, N),
+    AT(cosh, 710.0, OK, OK),
+    AT(cosh, -711.0, N, N),
+    AT(tanh, DBL_MAX, OK, OK),
+    AT(tanh, -DBL_MAX, OK, OK),
+    AT(erf, DBL_MAX, OK, OK),
+    AT(erf, -DBL_MAX, OK, OK),
+    AT(acosh, 1.0, OK, S),
+    AT(acosh, ABOVE_ONE, OK, OK),
+    AT(acosh, BELOW_ONE, D, D),
+    AT(acosh, -2.0, D, D),
+    AT(acosh, DBL_MAX, OK, OK),
+    AT(atanh, 1.0, D, D),
+    AT(atanh, -1.0, D, D),
+    AT(atanh, BELOW_ONE, OK, OK),
+    AT(atanh, -BELOW_ONE, OK, OK),
+    AT(atanh, ABOVE_ONE, D, D),
+    AT(atanh, DBL_MAX, D, D),
+    AT(fabs, 0.0, OK, S),
+    AT(fabs, -0.0, OK, S),
+    AT(fabs, DENORMAL, OK, OK),
+    AT(fabs, -DENORMAL, OK, OK),
+    AT2(div, 1.0, 0.0, D, D),
+    AT2(div, 0.0, 0.0, D, D),
+    AT2(div, 1.0, -0.0, D, D),
+    AT2(div, DBL_MAX, 0.5, N, N),
+    AT2(div, 0.0, DENORMAL, OK, N),
+    AT2(div, DBL_MAX, DBL_MAX, OK, OK),
+    AT2(hypot, 0.0, 0.0, OK, S),
+    AT2(hypot, 0.0, DENORMAL, OK, OK),
+    AT2(hypot, DENORMAL, DENORMAL, OK, OK),
+    AT2(hypot, 1e308, 1e308, OK, OK),
+    AT2(hypot, DBL_MAX, DBL_MAX, N, N),
+    AT2(atan2, 0.0, 0.0, OK, S),
+    AT2(atan2, -0.0, -0.0, OK, S),
+    AT2(atan2, 0.0, -1.0, OK, OK),
+    AT2(atan2, DENORMAL, 0.0, OK, N),
+    AT2(atan2, DBL_MIN, DBL_MIN, OK, OK),
+    AT2(atan2, DBL_MAX, -DBL_MAX, OK, OK),
+    AT2(fmin, 1.0, 1.0, OK, S),
+    AT2(fmin, 1.0, ABOVE_ONE, OK, OK),
+    AT2(fmin, 0.0, -0.0, OK, S),
+    AT2(fmax, 1.0, 1.0, OK, S),
+    AT2(fmax, BELOW_ONE, 1.0, OK, OK),
+    AT2(copysign, 0.0, 1.0, OK, S),
+    AT2(copysign, 1.0, 0.0, OK, S),
+    AT2(copysign, 1.0, -0.0, OK, S),
+    AT2(copysign, -DENORMAL, DENORMAL, OK, OK),
+    AT2(pow, 0.0, 0.0, OK, S),
+    AT2(pow, 0.0, 1.0, OK, S),
+    AT2(pow, 0.0, 2.0, OK, OK),
+    AT2(pow, 0.0, -1.0, D, D),
+    AT2(pow, -1.0, 2.0, OK, S),
+    AT2(pow, -1.0, 0.5, D, D),
+    AT2(pow, DBL_MIN, 1.0, OK, OK),
+    AT2(pow, 1.0, DBL_MAX, OK, OK),
+    AT2(pow, DBL_MAX, 2.0, N, N),
+    POWER(powc, 0.0, 0.0, OK, OK),
+    POWER(powc, 0.0, 0.5, OK, S),
+    POWER(powc, 0.0, BELOW_ONE, OK, S),
+    POWER(powc, 0.0, 1.0, OK, OK),
+    POWER(powc, 0.0, ABOVE_ONE, OK, OK),
+    POWER(powc, 0.0, -1.0, D, D),
+    POWER(powc, 0.0, -0.5, D, D),
+    POWER(powc, -1.0, 0.5, D, D),
+    POWER(powc, -1.0, 3.0, OK, OK),
+    POWER(powc, -1.0, -3.0, OK, OK),
+    POWER(powc, -1.0, 1e300, OK, OK),
+    POWER(powc, 2.0, 1024.0, N, N),
+    POWER(powc, DBL_MAX, -DBL_MAX, OK, OK),
+    POWER(powi, 0.0, 0, OK, OK),
+    POWER(powi, 0.0, 1, OK, OK),
+    POWER(powi, 0.0, 99, OK, OK),
+    POWER(powi, 0.0, -1, D, D),
+    POWER(powi, -0.0, -2, D, D),
+    POWER(powi, DENORMAL, -1, N, N),
+    POWER(rpow, 0.0, 0.0, OK, S),
+    POWER(rpow, 0.0, DENORMAL, OK, OK),
+    POWER(rpow, 0.0, -1.0, D, D),
+    POWER(rpow, -1.0, 2.0, OK, S),
+    POWER(rpow, -1.0, 0.5, D, D),
+    POWER(rpow, 2.0, 1024.0, N, N),
+    POWER(rpow, 1.0, DBL_MAX, OK, OK),
+};
+enum { NBOUNDARY = sizeof BOUNDARIES / sizeof *BOUNDARIES };
+
+static int all_finite(const double *c, int n) {
+  for (int i = 0; i < n; i++)
+    if (!isfinite(c[i])) return 0;
+  return 1;
+}
+
+/* True where the operation reports these bits, with its name and line, and numbers exactly where it reports nothing. */
+static int reports(const boundary *at, tl_spec spec, unsigned bits) {
+  jet_space space;
+  jet_space_init(&space, spec, 4);
+  tl_ctx *cx = &space.cx;
+  tl_real *a = tl_push(cx, 1), *b = tl_push(cx, 1), *c = tl_push(cx, 1);
+  tl_seed(cx, a, at->x, 0);
+  tl_seed(cx, b, at->y, 1);
+  cx->line = 42;
+  at->f(cx, c, a, b);
+  const int as_told = cx->status.function == (bits ? at->function : TL_FN_none) && cx->status.line == (bits ? 42 : 0);
+  const int right = cx->status.bits == bits && as_told && (bits == TL_OK) == all_finite(c, space.shape.ncoef);
+  if (!right)
+    print_error("%s(%.17g, %.17g), degree %d: status %u in %s, expected %u; value %g\n", tl_fn_name(at->function), at->x, at->y,
+                space.shape.degree, cx->status.bits, tl_fn_name(cx->status.function), bits, c[0]);
+  jet_space_free(&space);
+  return right;
+}
+
+static void the_ends_of_each_domain_are_exact(void **state) {
+  (void)state;
+  int wrong = 0;
+  for (int i = 0; i < NBOUNDARY; i++) {
+    wrong += !reports(&BOUNDARIES[i], tl_complete(2, 0), BOUNDARIES[i].value_bits);
+    wrong += !reports(&BOUNDARIES[i], tl_jacobian(2), BOUNDARIES[i].jet_bits);
+  }
+  assert_int_equal(wrong, 0);
+}
+
+static operation *const OPERATIONS[] = {
+    on_sqrt, on_cbrt, on_exp,  on_expm1, on_exp2,     on_log,   on_log1p,  on_log2,  on_log10, on_sin,  on_cos, on_tan,   on_asin,
+    on_acos, on_atan, on_sinh, on_cosh,  on_tanh,     on_asinh, on_acosh,  on_atanh, on_erf,   on_fabs, tl_pow, tl_hypot, tl_atan2,
+    tl_div,  tl_mul,  tl_fmin, tl_fmax,  tl_copysign, on_fma,   on_sincos, on_powc,  on_powi,  on_rpow, tl_add, tl_sub,
+};
+enum { NOPERATION = sizeof OPERATIONS / sizeof *OPERATIONS };
+
+/* A value that is not finite is reported, whatever the function makes of it. */
+static void operands_that_are_not_finite_are_reported(void **state) {
+  (void)state;
+  const double wild[] = {(double)INFINITY, -(double)INFINITY, (double)NAN};
+  jet_space space;
+  jet_space_init(&space, tl_jacobian(1), 4);
+  tl_ctx *cx = &space.cx;
+  tl_real *a = tl_push(cx, 1), *b = tl_push(cx, 1), *c = tl_push(cx, 1);
+  for (int i = 0; i < NOPERATION; i++)
+    for (int k = 0; k < 3; k++) {
+      a[0] = b[0] = wild[k];
+      a[1] = b[1] = 1.0;
+      if (OPERATIONS[i] == on_powi) b[0] = 2.0; /* its exponent is an int */
+      tl_ctx_clear(cx);
+      OPERATIONS[i](cx, c, a, b);
+      if (!(cx->status.bits & TL_NONFINITE)) fail_msg("operation %d at %g: status %u", i, wild[k], cx->status.bits);
+    }
+  jet_space_free(&space);
+}
+
+/* Numbers of every kind: any bits, ends of the range, small integers, ordinary. */
+static double draw_wild(rng *r) {
+  static const double special[] = {0.0, -0.0, 1.0,    -1.0,  DBL_MAX, -DBL_MAX, DBL_MIN, DENORMAL,
+                                   0.5, 2.0,  1e-160, 1e160, -1e160,  1e-17,    709.0,   -745.0};
+  const uint64_t bits = rng_bits(r);
+  double x;
+  switch (rng_below(r, 8)) {
+  case 0:
+    memcpy(&x, &bits, sizeof x);
+    return x;
+  case 1:
+  case 2:
+    return special[rng_below(r, sizeof special / sizeof *special)];
+  case 3:
+    return rng_sign(r) * rng_exponent(r, -1074.0, 1023.0);
+  default:
+    return rng_uniform(r, -3.0, 3.0);
+  }
+}
+
+static void nothing_wild_leaves_with_status_ok(void **state) {
+  (void)state;
+  const int samples = 3000;
+  const tl_spec specs[] = {{0, 1, 0}, {0, 1, 1}, {0, 2, 3}, {4, 0, 0}, {1, 2, 2}};
+  int accepted = 0;
+  for (size_t k = 0; k < sizeof specs / sizeof *specs; k++) {
+    jet_space space;
+    jet_space_init(&space, specs[k], 4);
+    tl_ctx *cx = &space.cx;
+    rng r = {k};
+    const int n = space.shape.ncoef;
+    tl_real *a = tl_push(cx, 1), *b = tl_push(cx, 1), *c = tl_push(cx, 1);
+    for (int j = 0; j < samples; j++) {
+      for (int i = 0; i < n; i++) {
+        a[i] = i == 0 || j % 2 ? draw_wild(&r) : rng_uniform(&r, -1.0, 1.0);
+        b[i] = i == 0 || j % 2 ? draw_wild(&r) : 0.0;
+      }
+      tl_ctx_clear(cx);
+      const int which = rng_below(&r, NOPERATION);
+      OPERATIONS[which](cx, c, a, b);
+      if (cx->status.bits == TL_OK && !all_finite(c, n)) fail_msg("operation %d at (%.17g, %.17g), shape %zu", which, a[0], b[0], k);
+      if (cx->status.bits != TL_OK && cx->status.function == TL_FN_none) fail_msg("operation %d fails without a name", which);
+      accepted += cx->status.bits == TL_OK;
+    }
+    jet_space_free(&space);
+  }
+  assert_true(accepted > samples); /* of five times as many: the fuzz reaches results too */
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(the_ends_of_each_domain_are_exact),
+      cmocka_unit_test(operands_that_are_not_finite_are_reported),
+      cmocka_unit_test(nothing_wild_leaves_with_status_ok),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}

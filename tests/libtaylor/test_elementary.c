@@ -1,0 +1,370 @@
+/* Every elementary function in several shapes against differences of MPFR values, and what does not show there: aliasing, sine and
+ * cosine together, powers with a constant base or exponent, the kinks. */
+#include "close.h"
+#include "functions.h"
+#include "reference_function.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* A coefficient's error is measured in units of 2^-53 (|coefficient| + its sensitivity to relative errors of the operands'
+ * coefficients). Largest seen in 3000 samples of each function and shape: see the table; a value of libm alone takes up to 3 (cbrt). */
+static const double UNIT = 0x1p-53;
+static const struct {
+  const char *name;
+  double bound;
+} BOUNDS[] = {{"cbrt", 5.0}, {"pow", 5.0}, {"sqrt", 3.0}, {"tanh", 3.0}, {"cosh", 3.0}, {"asinh", 3.0}, {"acosh", 3.0}};
+static const double OTHER_BOUND = 2.5;
+
+/* Outside these sizes a coefficient, or a term of it, can be beyond the range of numbers or lose digits to it. */
+static const double LARGEST = 1e300, SMALLEST = 1e-290, SMALLEST_RATIO = 0x1p-1000;
+
+static const tl_spec SPECS[] = {
+    {0, 1, 0}, {0, 1, 1}, {0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {4, 0, 0}, {0, 3, 2}, {0, 3, 3}, {1, 3, 2}, {2, 1, 1},
+};
+enum { NSPEC = sizeof SPECS / sizeof *SPECS };
+
+static double bound_of(const char *name) {
+  for (size_t i = 0; i < sizeof BOUNDS / sizeof *BOUNDS; i++)
+    if (strcmp(BOUNDS[i].name, name) == 0) return BOUNDS[i].bound;
+  return OTHER_BOUND;
+}
+
+/* A random jet: coefficients of the size of the distance to the nearest singularity, so that all terms matter; some are zero. */
+static void draw_jet(rng *r, double *a, int n, double value, double size) {
+  a[0] = value;
+  for (int i = 1; i < n; i++) a[i] = rng_below(r, 5) == 0 ? 0.0 : size * rng_uniform(r, -1.0, 1.0);
+}
+
+static double largest(const double *a, int n) {
+  double m = 0.0;
+  for (int i = 0; i < n; i++) m = fmax(m, fabs(a[i]));
+  return m;
+}
+
+static void apply(const jet_function *f, tl_ctx *cx, double *c, const double *a, const double *b) {
+  if (f->one)
+    f->one(cx, c, a);
+  else
+    f->two(cx, c, a, b);
+}
+
+static void assert_matches(const jet_function *f, const ref_shape *s, const double *c, const ref_jet *result, const ref_jet *size,
+                           const double *a, const double *b) {
+  const double operand = fmax(largest(a, s->n), f->two ? largest(b, s->n) : 0.0);
+  for (int i = 0; i < s->n; i++) {
+    const double expected = mpfr_get_d(result->c[i], MPFR_RNDN), scale = fabs(expected) + mpfr_get_d(size->c[i], MPFR_RNDN);
+    if (scale > LARGEST || scale < SMALLEST || scale < operand * SMALLEST_RATIO) continue;
+    assert_close_case(c[i], expected, bound_of(f->name) * UNIT * scale, __FILE__, __LINE__,
+                      "%s(%.17g, %.17g), shape {%d,%d,%d}, coefficient %d", f->name, a[0], f->two ? b[0] : 0.0, s->curve, s->nvar,
+                      s->order, i);
+  }
+}
+
+static void assert_function(const jet_function *f, tl_spec spec, int samples, rng *r) {
+  const ref_function *ref = ref_lookup(f->name);
+  static ref_shape s;
+  ref_shape_init(&s, spec.curve, spec.nvar, spec.order);
+  jet_space space;
+  jet_space_init(&space, spec, 3);
+  tl_real *a = tl_push(&space.cx, 1), *b = tl_push(&space.cx, 1), *c = tl_push(&space.cx, 1);
+  ref_jet result = ref_new(&s), size = ref_new(&s);
+  for (int k = 0; k < samples; k++) {
+    double x, y;
+    ref_draw(ref, r, &x, &y);
+    draw_jet(r, a, s.n, x, ref->reach(x, y));
+    draw_jet(r, b, s.n, y, f->two ? ref->reach_y(x, y) : 0.0);
+    ref_apply(ref, &s, &result, &size, a, f->two ? b : NULL);
+    apply(f, &space.cx, c, a, b);
+    assert_matches(f, &s, c, &result, &size, a, b);
+  }
+  ref_free(&result);
+  ref_free(&size);
+  jet_space_free(&space);
+}
+
+static int samples = 6; /* of each function in each shape; the program's argument sets another number */
+
+static void functions_agree_with_mpfr_in_every_shape(void **state) {
+  (void)state;
+  rng r = {1};
+  for (int i = 0; i < njet_functions; i++)
+    for (int k = 0; k < NSPEC; k++) assert_function(&jet_functions[i], SPECS[k], samples, &r);
+}
+
+/* The value is the C library's to the bit. */
+static void values_are_those_of_the_c_library(void **state) {
+  (void)state;
+  static double (*const library[])(double) = {sqrt, cbrt, exp,  expm1, exp2, log,  log1p, log2,  log10, sin,   cos,
+                                              tan,  asin, acos, atan,  sinh, cosh, tanh,  asinh, acosh, atanh, erf};
+  jet_space space;
+  jet_space_init(&space, tl_jacobian(1), 2);
+  tl_real *a = tl_push(&space.cx, 1), *c = tl_push(&space.cx, 1);
+  rng r = {2};
+  for (size_t i = 0; i < sizeof library / sizeof *library; i++)
+    for (int k = 0; k < 200; k++) {
+      double x, y;
+      ref_draw(ref_lookup(jet_functions[i].name), &r, &x, &y);
+      tl_seed(&space.cx, a, x, 0);
+      jet_functions[i].one(&space.cx, c, a);
+      assert_same(c[0], library[i](x));
+    }
+  jet_space_free(&space);
+}
+
+static void aliased_operands_give_the_same_bits(void **state) {
+  (void)state;
+  rng r = {3};
+  for (int k = 0; k < NSPEC; k++) {
+    jet_space space;
+    jet_space_init(&space, SPECS[k], 4);
+    tl_ctx *cx = &space.cx;
+    const int n = space.shape.ncoef;
+    tl_real *a = tl_push(cx, 1), *b = tl_push(cx, 1), *c = tl_push(cx, 1), *expected = tl_push(cx, 1);
+    for (int i = 0; i < njet_functions; i++) {
+      const jet_function *f = &jet_functions[i];
+      draw_jet(&r, a, n, f->one == tl_acosh ? 1.5 : 0.6, 0.3);
+      draw_jet(&r, b, n, 0.7, 0.3);
+      apply(f, cx, expected, a, b);
+      tl_copy(cx, c, a);
+      apply(f, cx, c, c, b);
+      assert_all_same(c, expected, n);
+      if (!f->two) continue;
+      tl_copy(cx, c, b);
+      apply(f, cx, c, a, c);
+      assert_all_same(c, expected, n);
+      tl_copy(cx, c, a);
+      f->two(cx, expected, a, c);
+      f->two(cx, c, c, c);
+      assert_all_same(c, expected, n);
+    }
+    assert_int_equal(cx->status.bits, TL_OK);
+    jet_space_free(&space);
+  }
+}
+
+static void sine_and_cosine_together_are_those_apart(void **state) {
+  (void)state;
+  rng r = {4};
+  for (int k = 0; k < NSPEC; k++) {
+    jet_space space;
+    jet_space_init(&space, SPECS[k], 5);
+    tl_ctx *cx = &space.cx;
+    const int n = space.shape.ncoef;
+    tl_real *a = tl_push(cx, 1), *s = tl_push(cx, 1), *c = tl_push(cx, 1), *s1 = tl_push(cx, 1), *c1 = tl_push(cx, 1);
+    draw_jet(&r, a, n, 2.0, 1.0);
+    tl_sin(cx, s1, a);
+    tl_cos(cx, c1, a);
+    for (int alias = 0; alias < 3; alias++) {
+      tl_real *x = alias == 0 ? a : alias == 1 ? s : c;
+      tl_copy(cx, x, a);
+      tl_sincos(cx, s, c, x);
+      assert_all_same(s, s1, n);
+      assert_all_same(c, c1, n);
+    }
+    jet_space_free(&space);
+  }
+}
+
+/* Powers with an integer exponent against repeated multiplication of integer jets, also at zero and below: exact. */
+static void integer_powers_are_repeated_products(void **state) {
+  (void)state;
+  const double values[] = {0.0, -2.0, 3.0, 1.0};
+  rng r = {5};
+  for (int k = 0; k < NSPEC; k++) {
+    jet_space space;
+    jet_space_init(&space, SPECS[k], 4);
+    tl_ctx *cx = &space.cx;
+    const int n = space.shape.ncoef;
+    tl_real *a = tl_push(cx, 1), *c = tl_push(cx, 1), *expected = tl_push(cx, 1), *x = tl_push(cx, 1);
+    for (int v = 0; v < 4; v++) {
+      for (int i = 0; i < n; i++) a[i] = (double)(rng_below(&r, 5) - 2);
+      a[0] = values[v];
+      tl_const(cx, expected, 1.0);
+      for (int power = 0; power <= 7; power++) {
+        tl_powi(cx, c, a, power);
+        assert_all_same(c, expected, n);
+        tl_powc(cx, c, a, (double)power);
+        assert_all_same(c, expected, n);
+        tl_const(cx, x, (double)power);
+        tl_pow(cx, c, a, x);
+        assert_all_same(c, expected, n);
+        tl_copy(cx, c, a);
+        tl_powi(cx, c, c, power);
+        assert_all_same(c, expected, n);
+        tl_mul(cx, expected, expected, a);
+      }
+    }
+    assert_int_equal(cx->status.bits, TL_OK);
+    jet_space_free(&space);
+  }
+}
+
+/* a^-n against 1/a^n; 1e-13: a quotient of polynomials with terms up to 1e3 times the result, rounded a few dozen times. */
+static void negative_powers_are_reciprocals(void **state) {
+  (void)state;
+  const double tolerance = 1e-13;
+  rng r = {6};
+  for (int k = 0; k < NSPEC; k++) {
+    jet_space space;
+    jet_space_init(&space, SPECS[k], 3);
+    tl_ctx *cx = &space.cx;
+    const int n = space.shape.ncoef;
+    tl_real *a = tl_push(cx, 1), *c = tl_push(cx, 1), *expected = tl_push(cx, 1);
+    for (int power = 1; power <= 4; power++) {
+      draw_jet(&r, a, n, power % 2 ? -1.5 : 1.5, 0.5);
+      tl_powi(cx, expected, a, power);
+      tl_rdiv(cx, expected, 1.0, expected);
+      tl_powi(cx, c, a, -power);
+      assert_all_close(c, expected, n, tolerance, tolerance);
+    }
+    jet_space_free(&space);
+  }
+}
+
+/* Powers with a constant exponent or base against the general power, which the reference covers. 1e-13 as above. */
+static void constant_exponents_and_bases_agree_with_the_general_power(void **state) {
+  (void)state;
+  const double tolerance = 1e-13, exponents[] = {0.5, -1.75, 2.5, 3.0000001, 1.0 / 3.0}, tiny = 1e-30;
+  rng r = {7};
+  for (int k = 1; k < NSPEC; k++) {
+    jet_space space;
+    jet_space_init(&space, SPECS[k], 4);
+    tl_ctx *cx = &space.cx;
+    const int n = space.shape.ncoef;
+    tl_real *a = tl_push(cx, 1), *b = tl_push(cx, 1), *c = tl_push(cx, 1), *expected = tl_push(cx, 1);
+    for (int i = 0; i < 5; i++) {
+      draw_jet(&r, a, n, 1.3, 0.4);
+      tl_const(cx, b, exponents[i]);
+      b[n - 1] = tiny; /* a variable exponent, far below the tolerance */
+      tl_pow(cx, expected, a, b);
+      tl_powc(cx, c, a, exponents[i]);
+      assert_all_close(c, expected, n, tolerance, tolerance);
+      draw_jet(&r, b, n, exponents[i], 0.4);
+      tl_const(cx, a, 1.3);
+      a[n - 1] = tiny;
+      tl_pow(cx, expected, a, b);
+      tl_rpow(cx, c, 1.3, b);
+      assert_all_close(c, expected, n, tolerance, tolerance);
+    }
+    assert_int_equal(cx->status.bits, TL_OK);
+    jet_space_free(&space);
+  }
+}
+
+/* x^2.5 at 1e-150: the value underflows to 0, the derivatives 2.5 x^1.5 and 1.875 x^0.5 do not. */
+static void powers_keep_derivatives_that_outlive_the_value(void **state) {
+  (void)state;
+  jet_space space;
+  jet_space_init(&space, tl_hessian(1), 1);
+  tl_real *a = tl_push(&space.cx, 1);
+  tl_seed(&space.cx, a, 1e-150, 0);
+  tl_powc(&space.cx, a, a, 2.5);
+  const double tolerance = 1e-15; /* pow and two products */
+  assert_same(a[0], 0.0);
+  assert_close(a[1], 2.5e-225, tolerance, 0.0);
+  assert_close(a[2], 1.875e-75, tolerance, 0.0);
+  jet_space_free(&space);
+}
+
+/* Length and angle at both ends of the range of numbers: those of arguments scaled to about 1, scaled back; 4 ulp for hypot's own. */
+static void lengths_and_angles_scale_with_powers_of_two(void **state) {
+  (void)state;
+  const double tolerance = 4 * DBL_EPSILON, scales[] = {0x1p1000, 0x1p-1000};
+  rng r = {9};
+  for (int k = 0; k < NSPEC; k++) {
+    jet_space space;
+    jet_space_init(&space, SPECS[k], 4);
+    tl_ctx *cx = &space.cx;
+    const int n = space.shape.ncoef;
+    tl_real *a = tl_push(cx, 1), *b = tl_push(cx, 1), *c = tl_push(cx, 1), *expected = tl_push(cx, 1);
+    for (int i = 0; i < 2; i++) {
+      draw_jet(&r, a, n, -1.5, 0.5);
+      draw_jet(&r, b, n, 0.7, 0.5);
+      tl_hypot(cx, expected, a, b);
+      tl_scale(cx, a, a, scales[i]);
+      tl_scale(cx, b, b, scales[i]);
+      tl_hypot(cx, c, a, b);
+      tl_scale(cx, c, c, 1.0 / scales[i]);
+      assert_all_close(c, expected, n, tolerance, tolerance);
+      tl_atan2(cx, expected, a, b);
+      tl_scale(cx, a, a, 1.0 / scales[i]);
+      tl_scale(cx, b, b, 1.0 / scales[i]);
+      tl_atan2(cx, c, a, b);
+      assert_all_close(c, expected, n, tolerance, tolerance);
+    }
+    assert_int_equal(cx->status.bits, TL_OK);
+    jet_space_free(&space);
+  }
+}
+
+/* The angle keeps its derivatives across the cut of atan2, where only the value jumps. */
+static void atan2_has_derivatives_on_its_cut(void **state) {
+  (void)state;
+  jet_space space;
+  jet_space_init(&space, tl_hessian(2), 3);
+  tl_ctx *cx = &space.cx;
+  tl_real *x = tl_push(cx, 1), *y = tl_push(cx, 1), *c = tl_push(cx, 1);
+  for (int side = 0; side < 2; side++) {
+    tl_seed(cx, x, -2.0, 0);
+    tl_seed(cx, y, side ? -0.0 : 0.0, 1);
+    tl_atan2(cx, c, y, x);
+    const double expected[] = {side ? -0x1.921fb54442d18p1 : 0x1.921fb54442d18p1, 0.0, -0.5, 0.0, -0.25, 0.0};
+    assert_all_same(c, expected, 6);
+  }
+  jet_space_free(&space);
+}
+
+static void kinked_functions_follow_the_value(void **state) {
+  (void)state;
+  rng r = {8};
+  for (int k = 0; k < NSPEC; k++) {
+    jet_space space;
+    jet_space_init(&space, SPECS[k], 5);
+    tl_ctx *cx = &space.cx;
+    const int n = space.shape.ncoef;
+    tl_real *a = tl_push(cx, 1), *b = tl_push(cx, 1), *c = tl_push(cx, 1), *minus = tl_push(cx, 1), *x = tl_push(cx, 1);
+    draw_jet(&r, a, n, 2.0, 1.0);
+    draw_jet(&r, b, n, -3.0, 1.0);
+    tl_neg(cx, minus, a);
+#define SAME(call, expected)                                                                                                           \
+  call;                                                                                                                                \
+  assert_all_same(c, expected, n)
+    SAME(tl_fabs(cx, c, a), a);
+    SAME(tl_fabs(cx, c, minus), a);
+    SAME(tl_fmin(cx, c, a, b), b);
+    SAME(tl_fmin(cx, c, b, a), b);
+    SAME(tl_fmax(cx, c, a, b), a);
+    SAME(tl_fmax(cx, c, b, a), a);
+    SAME(tl_copysign(cx, c, a, b), minus);
+    SAME(tl_copysign(cx, c, minus, b), minus);
+    SAME(tl_copysign(cx, c, minus, a), a);
+    tl_copy(cx, x, a);
+    SAME(tl_fmin(cx, c, a, x), a); /* a tie of equal jets */
+    SAME(tl_copy(cx, c, b); tl_copysign(cx, c, a, c), minus);
+    SAME(tl_copy(cx, c, b); tl_fmax(cx, c, a, c), a);
+#undef SAME
+    assert_int_equal(cx->status.bits, TL_OK);
+    jet_space_free(&space);
+  }
+}
+
+int main(int argc, char **argv) {
+  if (argc > 1) samples = atoi(argv[1]);
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(functions_agree_with_mpfr_in_every_shape),
+      cmocka_unit_test(values_are_those_of_the_c_library),
+      cmocka_unit_test(aliased_operands_give_the_same_bits),
+      cmocka_unit_test(sine_and_cosine_together_are_those_apart),
+      cmocka_unit_test(integer_powers_are_repeated_products),
+      cmocka_unit_test(negative_powers_are_reciprocals),
+      cmocka_unit_test(constant_exponents_and_bases_agree_with_the_general_power),
+      cmocka_unit_test(powers_keep_derivatives_that_outlive_the_value),
+      cmocka_unit_test(lengths_and_angles_scale_with_powers_of_two),
+      cmocka_unit_test(atan2_has_derivatives_on_its_cut),
+      cmocka_unit_test(kinked_functions_follow_the_value),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
