@@ -3,9 +3,18 @@
 
 #include <stddef.h>
 
+#define LANES 8 /* partial sums: one vector register of them, so that a compiler need not keep the order of one long sum */
+
 static tl_real dot(int n, const tl_real *a, const tl_real *b) {
   tl_real sum = TL_C(0.0);
-  for (int i = 0; i < n; i++) sum += a[i] * b[i];
+  int i = 0;
+  if (n >= 2 * LANES) {
+    tl_real part[LANES] = {TL_C(0.0)};
+    for (; i + LANES <= n; i += LANES)
+      for (int k = 0; k < LANES; k++) part[k] += a[i + k] * b[i + k];
+    for (int k = 0; k < LANES; k++) sum += part[k];
+  }
+  for (; i < n; i++) sum += a[i] * b[i];
   return sum;
 }
 
