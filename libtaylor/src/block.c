@@ -13,6 +13,15 @@ void tl_row_divide(int n, tl_real *c, tl_real d) {
   for (int i = 0; i < n; i++) c[i] /= d;
 }
 
+/* Division by 1, 2 or 4 is exact multiplication by the reciprocal, several times faster. */
+void tl_row_divide_weight(int n, tl_real *c, int w) {
+  if (w == 1) return;
+  if ((w & (w - 1)) == 0)
+    tl_row_scale(n, c, TL_C(1.0) / (tl_real)w);
+  else
+    tl_row_divide(n, c, (tl_real)w);
+}
+
 void tl_row_add(int n, tl_real *restrict c, tl_real x, const tl_real *restrict a) {
   for (int i = 0; i < n; i++) c[i] += x * a[i];
 }
@@ -86,10 +95,16 @@ int tl_accept(tl_ctx *cx, tl_real *c, tl_real x, tl_fn function) {
   return 0;
 }
 
+/* x - x is zero for a finite x and NaN for any other, and a sum of these keeps the NaN. */
 void tl_check(tl_ctx *cx, const tl_real *c, tl_fn function) {
-  int bad = 0;
-  for (int i = 0; i < cx->shape->ncoef; i++) bad |= !TL_ISFINITE(c[i]);
-  if (bad) tl_fail(cx, TL_NONFINITE, function);
+  enum { LANES = 4 }; /* sums that the compiler may keep in one vector */
+  tl_real sum[LANES] = {TL_C(0.0)};
+  const int n = cx->shape->ncoef;
+  int i = 0;
+  for (; i + LANES <= n; i += LANES)
+    for (int j = 0; j < LANES; j++) sum[j] += c[i + j] - c[i + j];
+  for (; i < n; i++) sum[0] += c[i] - c[i];
+  if (sum[0] + sum[1] + sum[2] + sum[3] != TL_C(0.0)) tl_fail(cx, TL_NONFINITE, function);
 }
 
 const tl_real *tl_unaliased(tl_ctx *cx, const tl_real *a, const tl_real *c, int i) {
@@ -118,7 +133,7 @@ void tl_integral_blocks(const tl_shape *s, tl_real *c, tl_real x, const tl_real 
     tl_real *cB = c + b.at;
     tl_row_zero(b.n, cB);
     tl_add_interior(s, b, cB, (tl_factor){.u = x}, a, g);
-    tl_row_divide(b.n, cB, (tl_real)b.weight);
+    tl_row_divide_weight(b.n, cB, b.weight);
     tl_row_add(b.n, cB, g0, a + b.at);
   }
 }

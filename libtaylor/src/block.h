@@ -41,6 +41,7 @@ void tl_add_interior(const tl_shape *s, tl_block b, tl_real *out, tl_factor f, c
 void tl_row_zero(int n, tl_real *c);
 void tl_row_scale(int n, tl_real *c, tl_real x);                                                  /* c *= x */
 void tl_row_divide(int n, tl_real *c, tl_real d);                                                 /* c /= d */
+void tl_row_divide_weight(int n, tl_real *c, int w);                                              /* c /= w, a block's weight */
 void tl_row_add(int n, tl_real *c, tl_real x, const tl_real *a);                                  /* c += x*a; c may not be a */
 void tl_row_combine(int n, tl_real *c, tl_real x, const tl_real *a, tl_real y, const tl_real *b); /* c = x*a + y*b; c may be a or b */
 

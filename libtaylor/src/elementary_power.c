@@ -91,11 +91,10 @@ static void polar_blocks(const tl_shape *s, tl_real *r, tl_real *angle, tl_real 
   const tl_factor first = {.u = TL_C(1.0)}, minus_first = {.u = -TL_C(1.0)};
   for (tl_block B = tl_first_block(s); B.n; B = tl_next_block(s, B)) {
     const int n = B.n, at = B.at;
-    const tl_real w = (tl_real)B.weight;
     tl_row_zero(n, r + at);
     tl_add_interior(s, B, r + at, first, a, u);
     tl_add_interior(s, B, r + at, first, b, v);
-    tl_row_divide(n, r + at, w);
+    tl_row_divide_weight(n, r + at, B.weight);
     tl_row_add(n, r + at, u[0], a + at);
     tl_row_add(n, r + at, v[0], b + at);
 
@@ -103,19 +102,19 @@ static void polar_blocks(const tl_shape *s, tl_real *r, tl_real *angle, tl_real 
     tl_add_interior(s, B, angle + at, first, b, u);
     tl_add_interior(s, B, angle + at, minus_first, a, v);
     tl_add_interior(s, B, angle + at, minus_first, angle, r);
-    tl_row_divide(n, angle + at, w);
+    tl_row_divide_weight(n, angle + at, B.weight);
     tl_row_add(n, angle + at, u[0], b + at);
     tl_row_add(n, angle + at, -v[0], a + at);
     tl_row_divide(n, angle + at, r[0]);
 
     tl_row_zero(n, u + at);
     tl_add_interior(s, B, u + at, minus_first, angle, v);
-    tl_row_divide(n, u + at, w);
+    tl_row_divide_weight(n, u + at, B.weight);
     tl_row_add(n, u + at, -v[0], angle + at);
 
     tl_row_zero(n, v + at);
     tl_add_interior(s, B, v + at, first, angle, u);
-    tl_row_divide(n, v + at, w);
+    tl_row_divide_weight(n, v + at, B.weight);
     tl_row_add(n, v + at, u[0], angle + at);
   }
 }

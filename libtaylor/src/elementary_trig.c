@@ -10,8 +10,8 @@ static void circle_blocks(const tl_shape *s, tl_real *sine, tl_real *cosine, tl_
     tl_row_zero(b.n, cB);
     tl_add_interior(s, b, sB, (tl_factor){.u = TL_C(1.0)}, a, cosine);
     tl_add_interior(s, b, cB, (tl_factor){.u = sign}, a, sine);
-    tl_row_divide(b.n, sB, (tl_real)b.weight);
-    tl_row_divide(b.n, cB, (tl_real)b.weight);
+    tl_row_divide_weight(b.n, sB, b.weight);
+    tl_row_divide_weight(b.n, cB, b.weight);
     tl_row_add(b.n, sB, cosine[0], a + b.at);
     tl_row_add(b.n, cB, sign * sine[0], a + b.at);
   }
@@ -62,7 +62,7 @@ static void tangent(tl_ctx *cx, tl_real *c, tl_real sign, tl_real start, tl_real
     tl_real *cB = c + b.at, *qB = q + b.at;
     tl_row_zero(b.n, cB);
     tl_add_interior(s, b, cB, (tl_factor){.u = TL_C(1.0)}, x, q);
-    tl_row_divide(b.n, cB, (tl_real)b.weight);
+    tl_row_divide_weight(b.n, cB, b.weight);
     tl_row_add(b.n, cB, q[0], x + b.at);
     tl_row_zero(b.n, qB);
     tl_add_interior(s, b, qB, (tl_factor){.z = sign}, c, c);
