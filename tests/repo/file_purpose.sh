@@ -6,7 +6,7 @@ bad=0
 while IFS= read -r file; do
   line=$(sed -n '1{/^#!/!{p;q}};2{p;q}' "$file")
   case "$file:$line" in
-    *.c:/[*/]\ * | *.h:/[*/]\ * | *.cpp:/[*/]\ * | *:\#\ *) ;;
+    *.py:\"\"\"?* | *.c:/[*/]\ * | *.h:/[*/]\ * | *.cpp:/[*/]\ * | *:\#\ *) ;;
     *) echo "$file:1: no comment says what this file is for: $line"; bad=1 ;;
   esac
 done < <(git ls-files '*.c' '*.h' '*.cpp' '*.cmake' '*CMakeLists.txt' '*.sh' '*.py' scripts .ci ':!tests/tlgen' ':!examples/models')
