@@ -5,14 +5,11 @@
 #include <limits.h>
 #include <stdint.h>
 
-/* binomial(n, r), or INT_MAX + 1 where it is larger than INT_MAX. The partial products binomial(n-r+i, i) grow with i, so that each
- * intermediate product stays below 2^64. */
+/* binomial(n, r) by the partial products binomial(n-r+i, i), each a count of monomials of a lower order. Callers have made sure that
+ * these fit an int, or go up through the orders and stop at the first that does not; so no product reaches 2^64. */
 static uint64_t binomial(int64_t n, int r) {
   uint64_t c = 1;
-  for (int i = 1; i <= r; i++) {
-    c = c * (uint64_t)(n - r + i) / (uint64_t)i;
-    if (c > INT_MAX) return (uint64_t)INT_MAX + 1;
-  }
+  for (int i = 1; i <= r; i++) c = c * (uint64_t)(n - r + i) / (uint64_t)i;
   return c;
 }
 

@@ -36,8 +36,9 @@ OPERATION(log2)
 OPERATION(log10)
 OPERATION(sin)
 OPERATION(cos)
-OPERATION(tan) OPERATION(asin) OPERATION(acos) OPERATION(atan) OPERATION(sinh) OPERATION(cosh) OPERATION(tanh) OPERATION(asinh)
-    OPERATION(acosh) OPERATION(atanh) OPERATION(erf) OPERATION(fabs)
+OPERATION(tan)
+OPERATION(asin) OPERATION(acos) OPERATION(atan) OPERATION(sinh) OPERATION(cosh) OPERATION(tanh) OPERATION(asinh) OPERATION(acosh)
+    OPERATION(atanh) OPERATION(erf) OPERATION(fabs)
 
         static void on_powc(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
   tl_powc(cx, c, a, b[0]);

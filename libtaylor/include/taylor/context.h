@@ -9,7 +9,8 @@
 extern "C" {
 #endif
 
-/* Every operation that can fail, by the name it has in a report. */
+/* Every operation that can fail, by the name it has in a report: seed for tl_const and tl_seed, add for tl_shift, sub for tl_neg and
+ * tl_rsub, scale for tl_axpy, mul for tl_muladd, div for tl_rdiv and tl_divc, compose for tl_apply, frame for the workspace. */
 #define TL_FUNCTIONS(X)                                                                                                              \
   X(seed) X(copy) X(add) X(sub) X(scale) X(mul) X(div) X(compose) X(sqrt) X(cbrt) X(exp) X(expm1) X(exp2) X(log) X(log1p) X(log2) X(log10) X(sin)    \
   X(cos) X(tan) X(asin) X(acos) X(atan) X(atan2) X(sinh) X(cosh) X(tanh) X(asinh) X(acosh) X(atanh) X(pow) X(hypot) X(fabs) X(fmin)  \
@@ -52,7 +53,7 @@ typedef struct tl_ctx {
 /* Numbers (tl_real) of workspace for a context with room for njet jets in frames. */
 size_t tl_ctx_size(const tl_shape *shape, size_t njet);
 
-/* Starts a context in memory (nreal numbers). Sets status TL_NO_SPACE where even the scratch jets do not fit. */
+/* Starts a context in memory (nreal numbers). Sets status TL_NO_SPACE where even the scratch jets do not fit; then it is of no use. */
 void tl_ctx_init(tl_ctx *cx, const tl_shape *shape, tl_real *memory, size_t nreal);
 
 /* Forgets all failures. */

@@ -1,7 +1,22 @@
 /* Elementary functions of jets. Arguments and aliasing as in series.h. Each recurrence stands above its code.
  *
+ * The value c[0] is the C library's for the same function, to the bit.
+ *
  * A value outside the function's domain sets TL_DOMAIN; a point of the domain where a coefficient of the shape does not exist sets
- * TL_SINGULAR (unless the shape is a single number). Then c holds no usable numbers. */
+ * TL_SINGULAR (unless the shape is a single number); an operand whose value is not finite, or a coefficient that overflows, sets
+ * TL_NONFINITE. Then c holds no usable numbers.
+ *
+ *     sqrt                     DOMAIN below 0, SINGULAR at 0         cbrt, fabs         SINGULAR at 0
+ *     log, log2, log10         DOMAIN at and below 0                 log1p              DOMAIN at and below -1
+ *     asin, acos               DOMAIN past 1, SINGULAR at 1 and -1   atanh              DOMAIN at and past 1 and -1
+ *     acosh                    DOMAIN below 1, SINGULAR at 1         hypot, atan2       SINGULAR at (0,0)
+ *     fmin, fmax               SINGULAR at a tie of different jets   copysign           SINGULAR where either value is 0
+ *     pow, powc, powi, rpow    as said below
+ *
+ * atan2 has its derivatives on the negative x axis too, where its value jumps from -pi to pi.
+ *
+ * Cost, in products of two jets: exp.. log.., sqrt, cbrt, powc, rpow 1; sin, cos, sincos, sinh, cosh, tan, tanh 2; asin.. atanh, erf 3;
+ * atan2 4; pow 5; hypot 7; powi with n > 0 min(n, degree) - 1. */
 #ifndef TAYLOR_ELEMENTARY_H
 #define TAYLOR_ELEMENTARY_H
 
@@ -36,7 +51,10 @@ void tl_acosh(tl_ctx *cx, tl_real *c, const tl_real *a);
 void tl_atanh(tl_ctx *cx, tl_real *c, const tl_real *a);
 void tl_erf(tl_ctx *cx, tl_real *c, const tl_real *a);
 
-/* c = a^b; a^x and a^n with a constant exponent; x^b with a constant base. tl_powc takes a negative base where x is an integer. */
+/* c = a^b; a^x and a^n with a constant exponent; x^b with a constant base. A constant exponent is: an integer, with any base but 0 below
+ * 0 (DOMAIN); or another number, with a base above 0, or 0 where it is larger than the shape's degree (0: SINGULAR for smaller positive
+ * ones; DOMAIN otherwise). tl_pow with an exponent that varies needs a base above 0, or 0 and an exponent larger than the degree; other
+ * points where the value exists are SINGULAR. tl_rpow needs x > 0, or x = 0 and b[0] > 0. In single precision n must be exact. */
 void tl_pow(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b);
 void tl_powc(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real x);
 void tl_powi(tl_ctx *cx, tl_real *c, const tl_real *a, int n);
