@@ -13,6 +13,9 @@ enum {
 /* Stands for an error of zero on a logarithmic axis: less than any rounding error here. */
 static const double zero_mark = 1e-18;
 
+/* Ends the axis of the orthogonality error: beyond it nothing is left of Q, and the overflow would press the rest together. */
+static const double lost_mark = 1e3;
+
 /* One colour for each run; chosen to be told apart by colour-blind readers too. */
 static const char *const colours[] = {"#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#000000"};
 enum { COLOURS = sizeof colours / sizeof colours[0] };
@@ -132,7 +135,7 @@ int figure_errors(const char *path, const run *const *runs, int count) {
   for (int i = 0; i < count; i++) print_curve(g.script, runs[i], i, energy_column(runs[i]));
   fputs("\nset title 'Loss of orthogonality", g.script);
   print_legend_of_dashes(g.script, runs, count);
-  fputs("'\nset ylabel 'max |QᵀQ - I|'\n", g.script);
+  fprintf(g.script, "'\nset ylabel 'max |QᵀQ - I|'\nset yrange [%g:%g]\n", zero_mark, lost_mark);
   for (int i = 0; i < count; i++) print_curve(g.script, runs[i], i, orthogonality_column(runs[i]));
   fputs("\nunset multiplot\n", g.script);
   return gnuplot_close(&g);
