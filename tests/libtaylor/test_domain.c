@@ -25,22 +25,13 @@ typedef struct boundary {
     (void)b;                                                                                                                           \
     tl_##name(cx, c, a);                                                                                                               \
   }
-OPERATION(sqrt)
-OPERATION(cbrt)
-OPERATION(exp)
-OPERATION(expm1)
-OPERATION(exp2)
-OPERATION(log)
-OPERATION(log1p)
-OPERATION(log2)
-OPERATION(log10)
-OPERATION(sin)
-OPERATION(cos)
-OPERATION(tan)
-OPERATION(asin) OPERATION(acos) OPERATION(atan) OPERATION(sinh) OPERATION(cosh) OPERATION(tanh) OPERATION(asinh) OPERATION(acosh)
-    OPERATION(atanh) OPERATION(erf) OPERATION(fabs)
+/* clang-format off */
+OPERATION(sqrt) OPERATION(cbrt) OPERATION(exp) OPERATION(expm1) OPERATION(exp2) OPERATION(log) OPERATION(log1p) OPERATION(log2)
+OPERATION(log10) OPERATION(sin) OPERATION(cos) OPERATION(tan) OPERATION(asin) OPERATION(acos) OPERATION(atan) OPERATION(sinh)
+OPERATION(cosh) OPERATION(tanh) OPERATION(asinh) OPERATION(acosh) OPERATION(atanh) OPERATION(erf) OPERATION(fabs)
+    /* clang-format on */
 
-        static void on_powc(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
+    static void on_powc(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
   tl_powc(cx, c, a, b[0]);
 }
 static void on_powi(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {

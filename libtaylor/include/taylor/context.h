@@ -11,10 +11,12 @@ extern "C" {
 
 /* Every operation that can fail, by the name it has in a report: seed for tl_const and tl_seed, add for tl_shift, sub for tl_neg and
  * tl_rsub, scale for tl_axpy, mul for tl_muladd, div for tl_rdiv and tl_divc, compose for tl_apply, frame for the workspace. */
-#define TL_FUNCTIONS(X)                                                                                                              \
-  X(seed) X(copy) X(add) X(sub) X(scale) X(mul) X(div) X(compose) X(sqrt) X(cbrt) X(exp) X(expm1) X(exp2) X(log) X(log1p) X(log2) X(log10) X(sin)    \
-  X(cos) X(tan) X(asin) X(acos) X(atan) X(atan2) X(sinh) X(cosh) X(tanh) X(asinh) X(acosh) X(atanh) X(pow) X(hypot) X(fabs) X(fmin)  \
-  X(fmax) X(fma) X(copysign) X(erf) X(frame)
+/* clang-format off */
+#define TL_FUNCTIONS(X)                                                                                                                \
+  X(seed) X(copy) X(add) X(sub) X(scale) X(mul) X(div) X(compose) X(sqrt) X(cbrt) X(exp) X(expm1) X(exp2) X(log) X(log1p) X(log2)      \
+  X(log10) X(sin) X(cos) X(tan) X(asin) X(acos) X(atan) X(atan2) X(sinh) X(cosh) X(tanh) X(asinh) X(acosh) X(atanh) X(pow) X(hypot)    \
+  X(fabs) X(fmin) X(fmax) X(fma) X(copysign) X(erf) X(frame)
+/* clang-format on */
 
 typedef enum tl_fn {
   TL_FN_none,

@@ -51,10 +51,11 @@ void tl_acosh(tl_ctx *cx, tl_real *c, const tl_real *a);
 void tl_atanh(tl_ctx *cx, tl_real *c, const tl_real *a);
 void tl_erf(tl_ctx *cx, tl_real *c, const tl_real *a);
 
-/* c = a^b; a^x and a^n with a constant exponent; x^b with a constant base. A constant exponent is: an integer, with any base but 0 below
- * 0 (DOMAIN); or another number, with a base above 0, or 0 where it is larger than the shape's degree (0: SINGULAR for smaller positive
- * ones; DOMAIN otherwise). tl_pow with an exponent that varies needs a base above 0, or 0 and an exponent larger than the degree; other
- * points where the value exists are SINGULAR. tl_rpow needs x > 0, or x = 0 and b[0] > 0. In single precision n must be exact. */
+/* c = a^b; a^x and a^n with a constant exponent; x^b with a constant base. A constant exponent is: an integer, with any base but 0
+ * below 0 (DOMAIN); or another number, with a base above 0, or 0 where it is larger than the shape's degree (0: SINGULAR for smaller
+ * positive ones; DOMAIN otherwise). tl_pow with an exponent that varies needs a base above 0, or 0 and an exponent larger than the
+ * degree; other points where the value exists are SINGULAR. tl_rpow needs x > 0, or x = 0 and b[0] > 0. In single precision n must be
+ * exact. */
 void tl_pow(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b);
 void tl_powc(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real x);
 void tl_powi(tl_ctx *cx, tl_real *c, const tl_real *a, int n);

@@ -1,7 +1,7 @@
 /* Jets and their arithmetic. A jet is an array of shape->ncoef coefficients in the layout of shape.h.
  *
- * Everywhere: cx gives the shape and takes the status; c is the result, a and b are operands, each ncoef numbers; c may be a, b or both;
- * operands may not overlap in part. A result with a number that is not finite sets TL_NONFINITE. */
+ * Everywhere: cx gives the shape and takes the status; c is the result, a and b are operands, each ncoef numbers; c may be a, b or
+ * both; operands may not overlap in part. A result with a number that is not finite sets TL_NONFINITE. */
 #ifndef TAYLOR_SERIES_H
 #define TAYLOR_SERIES_H
 
@@ -31,7 +31,8 @@ void tl_shift(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real x);
 void tl_rsub(tl_ctx *cx, tl_real *c, tl_real x, const tl_real *a);
 void tl_axpy(tl_ctx *cx, tl_real *c, tl_real x, const tl_real *a);
 
-/* c = a*b, and c += a*b (there c may be neither a nor b). Cost: one multiply-add per pair of monomials whose product is in the shape. */
+/* c = a*b, and c += a*b (there c may be neither a nor b). Cost: one multiply-add per pair of monomials whose product is in the shape.
+ */
 void tl_mul(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b);
 void tl_muladd(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b);
 

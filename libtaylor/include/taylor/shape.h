@@ -38,10 +38,10 @@ typedef struct tl_spec {
 
 /* A shape with its tables. Read-only after tl_shape_init and free to be shared between threads. */
 typedef struct tl_shape {
-  int curve, nvar, order; /* as asked; order is 0 where nvar is 0 */
-  int ncoef;              /* coefficients of one jet */
-  int nblock;             /* (curve+1)*(order+1) */
-  int degree;             /* curve+order: the (degree+1)-th power of a jet without value vanishes */
+  int curve, nvar, order;      /* as asked; order is 0 where nvar is 0 */
+  int ncoef;                   /* coefficients of one jet */
+  int nblock;                  /* (curve+1)*(order+1) */
+  int degree;                  /* curve+order: the (degree+1)-th power of a jet without value vanishes */
   int nhom[TL_MAX_ORDER + 1];  /* monomials of each order p in t: binomial(nvar+p-1, p) */
   int start[TL_MAX_ORDER + 1]; /* position of block (p, k=0); block (p,k) starts at start[p] + k*nhom[p] */
   const unsigned *product[TL_MAX_ORDER + 1][TL_MAX_ORDER + 1];
