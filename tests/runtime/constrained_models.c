@@ -293,6 +293,23 @@ const eom_model redundant = {.name = "redundant",
                              .holonomic = circles_list,
                              .nholonomic = 1};
 
+/* ---- saddle: (x'^2 + y'^2)/2, x^2 - 2 y^2 and 0.3 x^2 - 0.6 y^2 ---- */
+
+FUNCTION(flat_lagrangian) {
+  BEGIN pen_result(&p, out, times(&p, TL_C(0.5), add(&p, square(&p, V(0)), square(&p, V(1)))));
+  END
+}
+
+FUNCTION(saddle_rows) {
+  BEGIN jet x2 = square(&p, Q(0)), y2 = square(&p, Q(1));
+  pen_result(&p, out, sub(&p, x2, times(&p, TL_C(2.0), y2)));
+  pen_result(&p, row(&p, out, 1), sub(&p, times(&p, TL_C(0.3), x2), times(&p, TL_C(0.6), y2)));
+  END
+}
+
+static const eom_function saddle_list[] = {CONSTRAINT("saddle", saddle_rows, two)};
+const eom_model saddle = {.name = "saddle", .dof = two, LAGRANGIAN(flat_lagrangian), .holonomic = saddle_list, .nholonomic = 1};
+
 const eom_model *const constrained_models[] = {&cartesian_pendulum,
                                                &cartesian_double_pendulum,
                                                &central_field,

@@ -7,8 +7,8 @@
 /* Parameters of a point mass with its constraints scaled, repeated or contradicted. */
 typedef struct redundancy {
   int rows;
-  tl_real factor[8]; /* of each row of phi = factor (x^2 + y^2 - 1) + bend t^2/2 */
-  tl_real bend[8];
+  tl_real factor[12]; /* of each row of phi = factor (x^2 + y^2 - 1) + bend t^2/2 */
+  tl_real bend[12];
 } redundancy;
 
 extern const eom_model cartesian_pendulum;        /* one constraint */
@@ -22,6 +22,7 @@ extern const eom_model mixed;                     /* holonomic and nonholonomic,
 extern const eom_model relativistic;              /* L not quadratic in velocity */
 extern const eom_model massless;                  /* a coordinate without mass that a constraint holds */
 extern const eom_model redundant;                 /* params: redundancy; L = (x'^2 + y'^2) - 9.81 y */
+extern const eom_model saddle;                    /* x^2 - 2 y^2 = 0 written twice, no force */
 extern const eom_model floating;                  /* a coordinate without mass that nothing holds: no solution */
 
 /* The models that need no parameters and have a solution, in the order of the reference data. */

@@ -2,6 +2,7 @@
 #include "close.h"
 #include "constrained_models.h"
 #include "data.h"
+#include "pen.h"
 #include "pendulum_model.h"
 
 #include "eom/eom.h"
@@ -113,6 +114,7 @@ static void printed_scheme_loses_orthogonality(void **state) {
   ly = start(sys, EOM_LYAPUNOV_CONTINUOUS, 1, START_ANGLE, 1e-3);
   run(ly, 1);
   assert_true(eom_lyapunov_orthogonality(ly) < 1e-14);
+  assert_int_equal(ly->it.evaluations, 7000); /* the first stage again after each QR */
   eom_lyapunov_destroy(ly);
   eom_system_destroy(sys);
 }
@@ -198,6 +200,7 @@ static void time_and_directions_between_two_qrs(void **state) {
     assert_true(eom_lyapunov_orthogonality(ly) < 1e-14);
     eom_lyapunov_exponents(ly, lambda);
     assert_true(k == 4 ? lambda[0] != 0 : lambda[0] == 0);
+    assert_true(ly->Q[0] > 0.9 && ly->Q[3] > 0.9); /* directions turn, they do not flip */
   }
   eom_lyapunov_destroy(ly);
   eom_system_destroy(sys);
@@ -226,10 +229,99 @@ static void repeats_to_the_bit(void **state) {
   eom_system_destroy(sys);
 }
 
+/* L = x'^2/2 - cos t x^2/2 at rest: y stays and F changes with t. rho_1 = log |P e_1| of P'' = -cos t P, by small Runge-Kutta 4 steps.
+ */
+static void parametric(tl_ctx *cx, tl_real *out, const tl_real *q, const tl_real *qd, const tl_real *t, const void *params) {
+  (void)params;
+  pen p = {cx, 0};
+  pen_result(&p, out, times(&p, 0.5, sub(&p, square(&p, qd), mul(&p, cosine(&p, t), square(&p, q)))));
+  pen_lift(&p);
+}
+static int one(const void *params) {
+  (void)params;
+  return 1;
+}
+static size_t frame(const void *params) {
+  (void)params;
+  return 8;
+}
+
+static void mathieu(double t_end, double *x) {
+  const int steps = 20000;
+  const double h = t_end / steps;
+  for (int k = 0; k < steps; k++) {
+    const double c0 = cos(k * h), c1 = cos((k + 0.5) * h), c2 = cos((k + 1) * h);
+    const double a1 = x[1], b1 = -c0 * x[0], a2 = x[1] + h / 2 * b1, b2 = -c1 * (x[0] + h / 2 * a1);
+    const double a3 = x[1] + h / 2 * b2, b3 = -c1 * (x[0] + h / 2 * a2), a4 = x[1] + h * b3, b4 = -c2 * (x[0] + h * a3);
+    x[0] += h / 6 * (a1 + 2 * a2 + 2 * a3 + a4);
+    x[1] += h / 6 * (b1 + 2 * b2 + 2 * b3 + b4);
+  }
+}
+
+static void time_dependent_rest(void **state) {
+  (void)state;
+  const eom_model model = {.name = "parametric", .dof = one, .lagrangian = {"parametric", "", parametric, one, frame}};
+  eom_system *sys;
+  assert_int_equal(eom_system_create(&sys, &model, NULL, NULL), EOM_OK);
+  const double y[2] = {0};
+  double x[2] = {1, 0};
+  mathieu(6, x);
+  eom_lyapunov *ly;
+  assert_int_equal(eom_lyapunov_create(&ly, sys, NULL, 0, y, 1e-2), EOM_OK);
+  run(ly, 6);
+  assert_close(ly->rho[0], log(hypot(x[0], x[1])), 1e-10, 0);
+  eom_lyapunov_destroy(ly);
+  eom_system_destroy(sys);
+}
+
+/* 200 steps: 64 blocks of one step become 32 of two, then 32 of four; 50 are full at the end and hold all of rho. */
+static void blocks_hold_the_growth(void **state) {
+  (void)state;
+  const pendulum p = {1, 9.81};
+  eom_system *sys = pendulum_system(&p);
+  eom_lyapunov *ly = start(sys, EOM_LYAPUNOV_DISCRETE, 1, 1, 0.01);
+  run(ly, 2);
+  assert_int_equal(ly->nblock, 50);
+  assert_int_equal(ly->block_steps, 4);
+  for (int i = 0; i < 2; i++) {
+    double sum = 0;
+    for (int b = 0; b < ly->nblock; b++) sum += ly->block[b * 2 + i];
+    assert_close(sum, ly->rho[i], 0, 1e-13);
+  }
+  eom_lyapunov_destroy(ly);
+  eom_system_destroy(sys);
+}
+
+/* Tangents that have become dependent have no QR with R_ii > 0: a status, and everything as before the step. */
+static void dependent_tangents(void **state) {
+  (void)state;
+  const pendulum p = {1, 9.81};
+  eom_system *sys = pendulum_system(&p);
+  eom_lyapunov *ly = start(sys, EOM_LYAPUNOV_DISCRETE, 1, 1, 0.01);
+  run(ly, 0.05);
+  for (int i = 2; i < 6; i++) ly->it.y[i] = 0;
+  double before[7], rho[2];
+  memcpy(before, ly->it.y, sizeof before);
+  memcpy(rho, ly->rho, sizeof rho);
+  assert_int_equal(eom_lyapunov_step(ly), EOM_NOT_FINITE);
+  assert_all_same(ly->it.y, before, 7);
+  assert_all_same(ly->rho, rho, 2);
+  assert_close(ly->t, 0.05, 1e-15, 0);
+  assert_int_equal(ly->it.steps, 5);
+  eom_lyapunov_destroy(ly);
+  eom_system_destroy(sys);
+}
+
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(finite_times),      cmocka_unit_test(printed_scheme_loses_orthogonality),
-                                     cmocka_unit_test(rest_positions),    cmocka_unit_test(sum_is_the_divergence),
-                                     cmocka_unit_test(model_failure),     cmocka_unit_test(time_and_directions_between_two_qrs),
+  const struct CMUnitTest tests[] = {cmocka_unit_test(finite_times),
+                                     cmocka_unit_test(printed_scheme_loses_orthogonality),
+                                     cmocka_unit_test(rest_positions),
+                                     cmocka_unit_test(sum_is_the_divergence),
+                                     cmocka_unit_test(model_failure),
+                                     cmocka_unit_test(time_dependent_rest),
+                                     cmocka_unit_test(blocks_hold_the_growth),
+                                     cmocka_unit_test(dependent_tangents),
+                                     cmocka_unit_test(time_and_directions_between_two_qrs),
                                      cmocka_unit_test(repeats_to_the_bit)};
   return cmocka_run_group_tests_name("lyapunov", tests, NULL, NULL);
 }
