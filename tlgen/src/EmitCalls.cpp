@@ -1,6 +1,7 @@
 // The calls emitter: tables, structs and functions in order, and the constant that describes the model to the runtime.
 #include "EmitCalls.h"
 #include "EmitFunction.h"
+#include "Names.h"
 
 #include <algorithm>
 
@@ -59,11 +60,15 @@ private:
 
   // The user's name for a function that stays plain C, with _tl behind it for one on jets, and with a number where there are several.
   void nameVariants() {
-    std::map<std::string, int> count;
+    std::set<std::string> used;
     for (const Variant *v : activity_.variants()) {
-      std::string name = v->function->name + (v->active() ? "_tl" : "");
-      int n = ++count[name];
-      emitted_.names[v] = n == 1 ? name : name + std::to_string(n);
+      const std::string &own = v->function->name;
+      std::string stem = own + (v->active() ? "_tl" : "");
+      if (reservedFunctionName(stem, model_.name)) stem = model_.name + "_" + stem;
+      std::string name = stem;
+      auto free = [&] { return (name == own || !program_.names.count(name)) && !reservedFunctionName(name, model_.name) && used.insert(name).second; };
+      for (int n = 2; !free(); ++n) name = stem + std::to_string(n);
+      emitted_.names[v] = name;
     }
   }
 

@@ -74,7 +74,7 @@ void FunctionEmitter::term(Address &a, const Expr *index, long count) {
 
 Address FunctionEmitter::place(const Expr *e) {
   switch (e->kind) {
-  case Expr::Ref: return {nameOf(e->var), {}};
+  case Expr::Ref: return {e->var->name, {}};
   case Expr::Member: {
     const Expr *base = e->args[0];
     Address a = e->arrow ? Address{operand(pointer(base), Postfix), {}} : base->kind == Expr::Call || base->kind == Expr::Conditional ? Address{jet(base), {}} : place(base);
@@ -115,7 +115,7 @@ Text FunctionEmitter::pointer(const Expr *e) {
   long count = elements(e->type->element);
   std::string jets = count == 1 ? "nc" : std::to_string(count) + "*nc";
   switch (e->kind) {
-  case Expr::Ref: return {nameOf(e->var), Primary};
+  case Expr::Ref: return {e->var->name, Primary};
   case Expr::Decay:
   case Expr::AddressOf: return sum(place(e->args[0]));
   case Expr::Cast: return pointer(e->args[0]);
@@ -169,7 +169,7 @@ Text FunctionEmitter::value(const Expr *e) {
   if (isObject(e) || ((e->kind == Expr::Assign || e->kind == Expr::Step) && activeObject(e))) return {place(e).value(), Postfix};
   switch (e->kind) {
   case Expr::Literal: return {e->text, e->text[0] == '-' ? Prefix : Primary};
-  case Expr::Ref: return {nameOf(e->var), Primary};
+  case Expr::Ref: return {e->var->name, Primary};
   case Expr::Index: return {operand(value(e->args[0]), Postfix) + "[" + value(e->args[1]).s + "]", Postfix};
   case Expr::Member: return {operand(value(e->args[0]), Postfix) + (e->arrow ? "->" : ".") + e->text, Postfix};
   case Expr::Deref: return unaryText("*", value(e->args[0]));

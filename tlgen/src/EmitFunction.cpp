@@ -35,7 +35,7 @@ std::string FunctionEmitter::run() {
   survey(v_.function->body);
   copyParameters();
   for (const Variable *param : v_.function->params)
-    if (!referenced_.count(param)) line("(void)" + nameOf(param) + ";");
+    if (!referenced_.count(param)) line("(void)" + param->name + ";");
   statements(v_.function->body->body);
   const std::string end = "  return;\n"; // at the end of a function it goes without saying
   if (out_.size() >= end.size() && out_.compare(out_.size() - end.size(), end.size(), end) == 0) out_.erase(out_.size() - end.size());
@@ -70,11 +70,11 @@ std::string FunctionEmitter::signature() {
 
 std::string FunctionEmitter::parameter(size_t i) {
   const Variable *param = v_.function->params[i];
-  std::string name = nameOf(param);
+  std::string name = param->name;
   bool byValue = param->type->kind == Type::Real || param->type->kind == Type::Struct;
   if (!byValue) return v_.active(param) ? jetDeclaration(param->type, name) : declaration(param->type, name);
-  if (v_.activeParam(i)) return "const tl_real *" + name + (needsCopy(i) ? "_in" : "");
-  return declaration(param->type, v_.active(param) ? name + "_in" : name);
+  if (v_.activeParam(i)) return "const tl_real *" + (needsCopy(i) ? inputName(param) : name);
+  return declaration(param->type, v_.active(param) ? inputName(param) : name);
 }
 
 // C passes numbers by value: a parameter that the body changes, or that it could change through a pointer, is copied first.
@@ -89,11 +89,11 @@ void FunctionEmitter::copyParameters() {
   for (size_t i = 0; i < v_.function->params.size(); ++i) {
     if (!needsCopy(i)) continue;
     const Type *type = v_.function->params[i]->type;
-    std::string name = nameOf(v_.function->params[i]);
+    std::string name = v_.function->params[i]->name, in = inputName(v_.function->params[i]);
     line("tl_real *const " + name + " = " + slot(slots_) + ";");
     slots_ += elements(type);
-    if (v_.activeParam(i)) copyObject(name, name + "_in", type);
-    else constants(name, type, {name + "_in", Primary});
+    if (v_.activeParam(i)) copyObject(name, in, type);
+    else constants(name, type, {in, Primary});
   }
 }
 
@@ -165,13 +165,18 @@ std::string FunctionEmitter::temporary(const Type *type) {
   return place;
 }
 
-std::string FunctionEmitter::fresh(const std::string &stem) { return stem + std::to_string(freshNames_++) + "_"; }
+std::string FunctionEmitter::fresh(const std::string &stem) {
+  std::string name;
+  do name = stem + std::to_string(freshNames_++) + "_";
+  while (program_.names.count(name));
+  return name;
+}
 
-// The user's name, unless it is one of ours.
-std::string FunctionEmitter::nameOf(const Variable *v) const {
-  static const std::set<std::string> own = {"cx", "nc", "frame", "result", "tl_real", "tl_ctx", "eom_model"};
-  bool temporaryName = v->name.compare(0, 3, "tmp") == 0 && v->name.size() > 3 && v->name.find_first_not_of("0123456789", 3) == std::string::npos;
-  return own.count(v->name) || temporaryName || v->name.compare(0, 3, "tl_") == 0 ? v->name + "_" : v->name;
+// A by-value parameter as it comes in, where the body works on a copy.
+std::string FunctionEmitter::inputName(const Variable *param) const {
+  std::string name = param->name + "_in";
+  while (program_.names.count(name)) name += "_";
+  return name;
 }
 
 void FunctionEmitter::statement(const Stmt *s) {
@@ -213,7 +218,7 @@ void FunctionEmitter::body(const Stmt *s) {
 
 void FunctionEmitter::declare(const Stmt *s) {
   const Variable *var = s->var;
-  std::string name = nameOf(var);
+  std::string name = var->name;
   if (var->isStatic) return line("static " + declaration(var->type, name) + " = " + initializer(var->init) + ";");
   bool unread = !read_.count(var);
   if (!v_.active(var)) {
@@ -375,7 +380,7 @@ void FunctionEmitter::loop(const Stmt *s) {
     if (s->init && s->init->kind == Stmt::Evaluate) init = value(s->init->expr).s;
     else if (s->init && !s->init->body.empty()) {
       const Stmt *d = s->init->body[0];
-      init = declaration(d->var->type, nameOf(d->var)) + (d->expr ? " = " + operand(value(d->expr), Assignment) : "");
+      init = declaration(d->var->type, d->var->name) + (d->expr ? " = " + operand(value(d->expr), Assignment) : "");
     }
     line("for (" + init + "; " + cond + "; " + (s->step ? effect(s->step) : "") + ") {");
   }
@@ -473,11 +478,11 @@ bool FunctionEmitter::sincosPair(const Stmt *first, const Stmt *second) {
   if (x->kind == Expr::Index && !a.declares && addressTaken_.count(a.var)) return false; // the element may be that variable
   quote(first->loc);
   for (const Half &h : {a, b})
-    if (h.declares) line("tl_real *const " + nameOf(h.var) + " = " + slot(slots_++) + ";");
+    if (h.declares) line("tl_real *const " + h.var->name + " = " + slot(slots_++) + ";");
   const Half &sine = a.call->text == "sin" ? a : b, &cosine = a.call->text == "sin" ? b : a;
-  operation("sincos", nameOf(sine.var) + ", " + nameOf(cosine.var) + ", " + place);
+  operation("sincos", sine.var->name + ", " + cosine.var->name + ", " + place);
   for (const Half &h : {a, b})
-    if (h.declares && !read_.count(h.var)) line("(void)" + nameOf(h.var) + ";");
+    if (h.declares && !read_.count(h.var)) line("(void)" + h.var->name + ";");
   return true;
 }
 

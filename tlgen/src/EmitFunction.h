@@ -94,7 +94,7 @@ private:
   std::string temporary();
   std::string temporary(const Type *type);
   std::string fresh(const std::string &stem);
-  std::string nameOf(const Variable *v) const;
+  std::string inputName(const Variable *param) const;
   void term(Address &a, const Expr *index, long count);
 
   const Program &program_;

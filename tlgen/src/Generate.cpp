@@ -4,6 +4,7 @@
 #include "EmitCalls.h"
 #include "Frontend.h"
 #include "Lower.h"
+#include "Names.h"
 #include "Output.h"
 
 #include <csignal>
@@ -42,6 +43,7 @@ int generate(const Options &options) {
   Program program;
   Model model;
   lower(source, match, functions, options.model, program, model);
+  separateNames(program, model.name);
   Activity activity(model, diags, program.paths);
   if (diags.hasErrors()) return refuse(diags);
 

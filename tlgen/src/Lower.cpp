@@ -1,5 +1,6 @@
 // Turns Clang's tree into the intermediate program. Whatever Subset accepts has a case here, and nothing else.
 #include "Lower.h"
+#include "PrintC.h"
 
 #include "clang/AST/ASTContext.h"
 #include "clang/AST/Expr.h"
@@ -61,6 +62,8 @@ public:
 private:
   const Type *type(c::QualType qt);
   Loc loc(c::SourceLocation at);
+  const Record *sameName(const Record &r) const;
+  static bool sameFields(const Record &a, const Record &b);
   int fileIndex(c::FileID id, const std::string &name);
   Variable *variable(const c::VarDecl *decl, Variable::Scope scope);
   const Variable *reference(const c::VarDecl *decl);
@@ -84,7 +87,7 @@ private:
   const c::ASTContext *context_ = nullptr;
   std::map<const c::FunctionDecl *, Function *> functions_;
   std::map<const c::VarDecl *, Variable *> variables_;
-  std::map<std::string, const Record *> records_;
+  std::map<const c::RecordDecl *, const Record *> records_;
   std::map<std::string, int> files_;
 };
 
@@ -124,17 +127,34 @@ const Record *Lowering::record(const c::RecordDecl *decl) {
     spelling = context_->getRecordType(decl).getAsString(c::PrintingPolicy(context_->getLangOpts()));
   }
   if (const c::TypedefNameDecl *name = decl->getTypedefNameForAnonDecl()) spelling = name->getNameAsString();
-  auto found = records_.find(spelling);
+  auto found = records_.find(decl);
   if (found != records_.end()) return found->second;
   Record *r = program_.make(Record{});
-  records_[spelling] = r;
+  records_[decl] = r;
   r->spelling = spelling;
   r->tag = decl->getNameAsString();
   r->loc = loc(decl->getLocation());
   if (decl->isCompleteDefinition())
     for (const c::FieldDecl *field : decl->fields()) r->fields.push_back({field->getNameAsString(), type(field->getType())});
+  for (int n = 2; const Record *other = sameName(*r); ++n) {
+    if (sameFields(*r, *other)) return records_[decl] = other; // of another translation unit
+    std::string end = "_" + std::to_string(n); // of another scope
+    r->tag = decl->getNameAsString().empty() ? "" : decl->getNameAsString() + end;
+    r->spelling = r->tag.empty() ? spelling + end : "struct " + r->tag;
+  }
   program_.records.push_back(r); // after the records that its fields need
   return r;
+}
+
+const Record *Lowering::sameName(const Record &r) const {
+  for (const Record *other : program_.records)
+    if (other->spelling == r.spelling) return other;
+  return nullptr;
+}
+
+bool Lowering::sameFields(const Record &a, const Record &b) {
+  return std::equal(a.fields.begin(), a.fields.end(), b.fields.begin(), b.fields.end(),
+                    [](const Field &x, const Field &y) { return x.name == y.name && tlgen::declaration(x.type, "") == tlgen::declaration(y.type, ""); });
 }
 
 int Lowering::fileIndex(c::FileID id, const std::string &path) {

@@ -5,6 +5,7 @@
 #define TLGEN_PROGRAM_H
 
 #include <deque>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -133,6 +134,9 @@ public:
   std::vector<const Record *> records;           // in the order of definition
   std::vector<const Variable *> globals;
   std::vector<Function *> functions; // callees before callers
+  std::set<std::string> names;       // of all variables and functions, as they are printed
+
+  std::deque<Variable> &variables() { return vars_; }
 
   Type *make(Type t) { return &types_.emplace_back(std::move(t)); }
   Expr *make(Expr e) { return &exprs_.emplace_back(std::move(e)); }
