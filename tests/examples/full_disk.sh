@@ -2,8 +2,10 @@
 # full_disk.sh PROGRAM OPTION..: a full disk, a place that cannot be written to and a lost reader are reported with status 1, and no
 # partial file stays.
 . "$(dirname "$0")/expect.sh"
-run 1 "$@" --csv /dev/full
-says scratch/err.txt "cannot write '/dev/full': No space left on device"
+full_device scratch/full
+run 1 "$@" --csv scratch/full
+says scratch/err.txt "cannot write 'scratch/full': No space left on device"
+[ -c scratch/full ] || fail "the device has been replaced by a file"
 run 1 "$@" --csv missing/run.csv
 says scratch/err.txt "cannot write 'missing/run.csv': No such file or directory"
 run 1 "$@" --csv .
@@ -22,11 +24,10 @@ says scratch/small.txt "cannot write 'run.csv': File too large"
 [ "$(cat run.csv)" = before ] || fail "the file that was there has changed"
 leaves run.csv
 
-"$@" >/dev/full 2>scratch/err.txt
+"$@" >scratch/full 2>scratch/err.txt
 [ $? -eq 1 ] || fail "no failure though standard output is full"
 says scratch/err.txt 'cannot write to standard output'
 
 # A device or pipe is written to as it is.
 run 0 "$@" --csv /dev/stdout
 says scratch/out.txt '^t,'
-[ -c /dev/full ] || fail "/dev/full is no longer a device"

@@ -23,7 +23,7 @@ PATH=$PWD/scratch/empty run 1 "$program" $short --plot c.svg
 says scratch/err.txt 'plots need gnuplot.*apt-get install gnuplot'
 run 1 "$program" $short --plot missing/c.svg
 says scratch/err.txt "cannot write 'missing/c.svg'"
-ln -s /dev/full full.svg
+full_device full.svg
 run 1 "$program" $short --plot full.svg
 says scratch/err.txt "cannot write 'full.svg': No space left on device"
 leaves full.svg
