@@ -57,7 +57,10 @@ static double against_reference(int n, eom_lyapunov_scheme scheme, int every, do
   }
   fclose(file);
   assert_int_equal(compared, t_end < 5 ? 1 : 2);
-  assert_true(fabs(ly->energy - ly->energy0) < 1e-9);
+  double energy;
+  pendulum_truth(&p, ly->y, ly->y + n, NULL, NULL, &energy);
+  assert_close(ly->energy, energy, 1e-14, 0);
+  assert_true(fabs(ly->energy - ly->energy0) < 1e-9 && (n == 1 || ly->energy != ly->energy0));
   assert_true(eom_lyapunov_sum_error(ly) < 4 * EXPONENT_TOLERANCE);
   eom_lyapunov_destroy(ly);
   eom_system_destroy(sys);
@@ -66,9 +69,10 @@ static double against_reference(int n, eom_lyapunov_scheme scheme, int every, do
 
 static void finite_times(void **state) {
   (void)state;
-  for (int n = 1; n <= 4; n *= 2)
+  for (int n = 1; n <= 2; n++)
     print_message("N=%d: discrete %.1e, every 10 steps %.1e\n", n, against_reference(n, EOM_LYAPUNOV_DISCRETE, 1, 1e-3, 5),
                   against_reference(n, EOM_LYAPUNOV_DISCRETE, 10, 1e-3, 5));
+  print_message("N=4: discrete, every 10 steps %.1e\n", against_reference(4, EOM_LYAPUNOV_DISCRETE, 10, 1e-3, 5));
   print_message("N=6: discrete %.1e\n", against_reference(6, EOM_LYAPUNOV_DISCRETE, 1, 1e-3, 1));
   print_message("N=1: continuous %.1e, as printed %.1e\n", against_reference(1, EOM_LYAPUNOV_CONTINUOUS, 1, 1e-3, 5),
                 against_reference(1, EOM_LYAPUNOV_PAPER, 1, 1e-3, 5));

@@ -140,6 +140,45 @@ static void overflow_of_a_result(void **state) {
   eom_system_destroy(sys);
 }
 
+static void overflow_without_constraints(void **state) {
+  (void)state;
+  eom_system *sys = start(&floating, NULL, NULL);
+  memcpy(sys->M, (const double[]){1e-200, 0, 0, 1}, 4 * sizeof(double));
+  memcpy(sys->Q, (const double[]){1e200, 0}, 2 * sizeof(double));
+  assert_int_equal(eom_solve(sys), EOM_NOT_FINITE);
+  assert_string_equal(sys->report.function, "acceleration");
+  eom_system_destroy(sys);
+}
+
+/* Three rows a, b, a + b in the plane fix qdd; of all multipliers with A' lambda = M qdd - Q the one returned has the least
+ * sum lambda_i^2 a_i M^-1 a_i', so it is orthogonal in that metric to (1, 1, -1), which A' takes to zero. */
+static void sum_of_two_rows(void **state) {
+  (void)state;
+  const redundancy r = {.rows = 3, .factor = {1, 1, 1}};
+  eom_system *sys = start(&redundant, &r, NULL);
+  const double A[6] = {1, 2, 3, -1, 4, 1}, b[3] = {1, 10, 11}; /* x'' = 3, y'' = -1 */
+  memcpy(sys->M, (const double[]){2, 0.5, 0.5, 1}, 4 * sizeof(double));
+  memcpy(sys->Q, (const double[]){4, 7}, 2 * sizeof(double));
+  memcpy(sys->A, A, sizeof A);
+  memcpy(sys->b, b, sizeof b);
+  assert_int_equal(eom_solve(sys), EOM_OK);
+  assert_int_equal(sys->report.rank, 2);
+  assert_close(sys->qdd[0], 3, 1e-14, 0);
+  assert_close(sys->qdd[1], -1, 1e-14, 0);
+  assert_close(sys->Qc[0], 2 * 3 - 0.5 - 4, 0, 1e-13);
+  assert_close(sys->Qc[1], 0.5 * 3 - 1 - 7, 1e-14, 0);
+  double along = 0;
+  for (int i = 0; i < 3; i++) { /* M^-1 = [1 -0.5; -0.5 2]/1.75 */
+    const double *a = A + 2 * i, length2 = (a[0] * a[0] - a[0] * a[1] + 2 * a[1] * a[1]) / 1.75;
+    along += (i < 2 ? 1 : -1) * sys->lambda[i] * length2;
+  }
+  assert_close(along, 0, 0, 1e-13);
+  sys->b[2] = 12;
+  assert_int_equal(eom_solve(sys), EOM_INCONSISTENT);
+  assert_int_equal(sys->report.nrow, 3);
+  eom_system_destroy(sys);
+}
+
 /* More rows than a report has room for. */
 static void many_dependent_rows(void **state) {
   (void)state;
@@ -335,6 +374,8 @@ int main(void) {
                                      cmocka_unit_test(weights_that_spoil),
                                      cmocka_unit_test(overflow_of_a_result),
                                      cmocka_unit_test(many_dependent_rows),
+                                     cmocka_unit_test(overflow_without_constraints),
+                                     cmocka_unit_test(sum_of_two_rows),
                                      cmocka_unit_test(consistency_tolerance),
                                      cmocka_unit_test(rank_tolerance),
                                      cmocka_unit_test(coordinate_without_inertia),
