@@ -240,16 +240,21 @@ tl_real eom_lyapunov_sum_error(const eom_lyapunov *ly) {
   return TL_LIBM(fabs)(finite_or_max(sum / (ly->t_rho - ly->t0)));
 }
 
-static int compare_falling(const void *a, const void *b) {
-  const tl_real x = *(const tl_real *)a, y = *(const tl_real *)b;
-  return (x < y) - (x > y);
+/* Sorts falling, by insertion: the spectrum is short and nearly sorted. */
+static void sort_falling(int count, tl_real *x) {
+  for (int i = 1; i < count; i++) {
+    const tl_real value = x[i];
+    int j = i;
+    for (; j > 0 && x[j - 1] < value; j--) x[j] = x[j - 1];
+    x[j] = value;
+  }
 }
 
 tl_real eom_lyapunov_pairing_error(const eom_lyapunov *ly) {
   const int d = ly->dim;
   tl_real *lambda = ly->work->sorted, worst = TL_C(0.0);
   eom_lyapunov_exponents(ly, lambda);
-  qsort(lambda, (size_t)d, sizeof(tl_real), compare_falling);
+  sort_falling(d, lambda);
   for (int i = 0; i < d; i++) worst = TL_LIBM(fmax)(worst, TL_LIBM(fabs)(finite_or_max(lambda[i] + lambda[d - 1 - i])));
   return worst;
 }
