@@ -47,6 +47,10 @@ Place *Variant::place(const Expr *e) const {
   }
   case Expr::Assign:
   case Expr::Step: return place(e->args[0]);
+  case Expr::InitList: {
+    auto it = literals.find(e);
+    return it == literals.end() ? nullptr : find(it->second);
+  }
   default: return nullptr;
   }
 }
@@ -79,7 +83,8 @@ bool Variant::varied(const Expr *e) const {
   if (e->kind == Expr::InitList) {
     for (const Expr *item : e->args)
       if (item && varied(item)) return true;
-    return false;
+    const Place *p = place(e);
+    return p && p->active;
   }
   if (e->type->kind != Type::Real && e->type->kind != Type::Struct) return false;
   switch (e->kind) {
@@ -152,6 +157,7 @@ private:
     for (const Expr *arg : e->args)
       if (arg) prepare(arg);
     if (e->kind == Expr::Ref && !v_.places.count(e->var)) v_.places[e->var] = globalPlace(e->var);
+    if (e->kind == Expr::InitList && e->text == "compound" && !v_.literals.count(e)) v_.literals[e] = activity_.makePlace(e->type);
     if (e->kind == Expr::Member) {
       Place *base = e->arrow ? v_.target(e->args[0]) : v_.place(e->args[0]);
       if (base && throughField(e->type) && !base->fields.count(e->text)) {
@@ -182,6 +188,7 @@ private:
       if (arg) visit(arg);
     if (e->kind == Expr::Call) call(e);
     if (e->kind == Expr::Assign) assign(e);
+    if (e->kind == Expr::InitList && v_.place(e) && v_.varied(e)) activate(v_.place(e), e->loc, "a literal");
     if (e->kind == Expr::Step) write(v_.place(e->args[0]), e->loc);
     if (checking_) check(e);
   }
@@ -243,7 +250,7 @@ private:
   void takeBack(Place *theirs, Place *ours, const Expr *e) {
     if (!theirs || !ours) return;
     theirs = find(theirs), ours = find(ours);
-    if (theirs->written && !ours->written) write(ours, e->loc);
+    if (theirs->written) write(ours, e->loc);
     if (theirs->active) activate(ours, e->loc, "an argument of '" + e->callee->name + "'");
     takeBack(theirs->target, ours->target, e);
     for (auto &field : theirs->fields)
@@ -261,8 +268,22 @@ private:
     if (type->kind == Type::Struct && !allReal(type)) activity_.report("struct-active", loc, what + " of type '" + type->record->spelling + "'");
   }
 
+  // Pointers to active numbers live in variables only: what a struct, an array or another pointer keeps is not followed into calls,
+  // copies and lists.
+  void checkKept(const Expr *e) {
+    auto refuse = [&](const Expr *pointer) {
+      if (pointer->type->kind == Type::Pointer && v_.pointsToActive(pointer)) activity_.report("pointer-to-pointer", pointer->loc, "a pointer kept there");
+    };
+    if (e->kind == Expr::InitList)
+      for (const Expr *item : e->args)
+        if (item) refuse(item);
+    if (e->kind == Expr::Assign && e->args[0]->kind != Expr::Ref) refuse(e->args[1]);
+    if (e->kind == Expr::Member || e->kind == Expr::Index || e->kind == Expr::Deref) refuse(e);
+  }
+
   // What only shows once the fixed point is reached.
   void check(const Expr *e) {
+    checkKept(e);
     bool toInteger = e->kind == Expr::Cast && e->type->kind == Type::Integer && e->type->name != "_Bool";
     if (toInteger && v_.varied(e->args[0])) activity_.report("active-integer", e->loc, "conversion to '" + e->type->name + "'");
     bool compound = e->kind == Expr::Assign && e->args[0]->type->kind == Type::Integer && v_.varied(e->args[1]);

@@ -37,6 +37,7 @@ public:
   std::map<const Variable *, Place *> places;
   Place *result = nullptr;
   std::map<const Expr *, Variant *> callees;
+  std::map<const Expr *, Place *> literals; // storage of compound literals
 
   bool active() const { return signature.find_first_of("ai") != std::string::npos || find(result)->active; }
   bool activeParam(size_t i) const { return signature[i] == 'a' || signature[i] == 'i'; }

@@ -59,6 +59,7 @@ bool FunctionEmitter::needsStatements(const Expr *e) const {
     for (size_t i = 0; i < e->args.size(); ++i)
       if (e->args[i]->type->kind != Type::Pointer && v_.callees.at(e)->activeParam(i)) return true;
   }
+  if (e->kind == Expr::InitList && v_.varied(e)) return true;
   return std::any_of(e->args.begin(), e->args.end(), [&](const Expr *arg) { return arg && needsStatements(arg); });
 }
 
@@ -93,6 +94,13 @@ Address FunctionEmitter::place(const Expr *e) {
   }
   case Expr::Assign: return {operand(assign(e), Postfix), {}}; // done before, as a statement
   case Expr::Step: return {operand(step(e), Postfix), {}};
+  case Expr::InitList: {
+    std::string literal = fresh("literal");
+    line("tl_real *const " + literal + " = " + slot(slots_) + ";");
+    slots_ += elements(e->type);
+    initObject(literal, e->type, e);
+    return {literal, {}};
+  }
   default: std::abort(); // no other expression is an active object
   }
 }

@@ -8,6 +8,7 @@
 #include "Output.h"
 
 #include <csignal>
+#include <filesystem>
 #include <iostream>
 
 namespace tlgen {
@@ -20,6 +21,18 @@ std::string depRule(const std::string &target, const std::set<std::string> &file
     for (char ch : file) s += ch == ' ' ? "\\ " : std::string(1, ch);
   }
   return s + "\n";
+}
+
+// True, with a message, where an output is one of the files that were read, by whatever path.
+bool overwrites(const std::set<std::string> &read, const std::vector<std::string> &outputs) {
+  for (const std::string &out : outputs)
+    for (const std::string &file : read) {
+      std::error_code none;
+      if (!std::filesystem::equivalent(file, out, none) || none) continue;
+      std::cerr << "tlgen: -o: " << out << " is a source; it would be overwritten\nTry 'tlgen --help'.\n";
+      return true;
+    }
+  return false;
 }
 
 int refuse(const Diagnostics &diags) {
@@ -35,6 +48,8 @@ int generate(const Options &options) {
   std::set<std::string> files;
   auto units = parseSources(options, diags, files);
   if (diags.hasErrors()) return refuse(diags);
+  std::string header = options.output.substr(0, options.output.size() - 2) + ".h";
+  if (overwrites(files, {options.output, header})) return 2;
   Source source(units, diags);
   Match match = matchModel(source, options, diags);
   auto functions = checkSubset(source, match);
@@ -47,7 +62,6 @@ int generate(const Options &options) {
   Activity activity(model, diags, program.paths);
   if (diags.hasErrors()) return refuse(diags);
 
-  std::string header = options.output.substr(0, options.output.size() - 2) + ".h";
   EmittedModel text = emitCalls(program, model, activity, header.substr(header.find_last_of('/') + 1));
   diags.print(std::cerr);
   std::vector<std::pair<std::string, std::string>> out = {{options.output, text.source}, {header, text.header}};

@@ -100,8 +100,6 @@ bool complete(Options &o) {
   if (!isIdentifier(o.model)) return usageError("'" + o.model + "' cannot be a model's name in C; say --model NAME");
   if (o.output.empty()) o.output = stem(o.sources[0]) + "_tl.c";
   if (o.output.size() < 3 || o.output.substr(o.output.size() - 2) != ".c") return usageError("-o: the file name must end in .c");
-  for (const std::string &s : o.sources)
-    if (s == o.output) return usageError("-o: " + s + " is a source; it would be overwritten");
   return true;
 }
 
