@@ -46,7 +46,7 @@ double lagrangian(const double *q, const double *qd, double t)
   *++w = t * t;
   --w;
   L += *w + (w - work) * work[1] + (double)(middle - w) * t + (&work[4] - work) + *(work + 3);
-  for (double *p = work, *e = work + 5; p != e; p += 2) L += *p * (p - work + 1);
+  for (double *p = work, *e = work + 5; p < e; p += 2) L += *p * (p - work + 1);
   for (int k = 0; k < 3; k++, i++) {
     i->a = q[k] * qd[k];
     (*i).b = t + k;
@@ -61,7 +61,9 @@ double lagrangian(const double *q, const double *qd, double t)
   L -= *middle;
   i = items;
   (*i++).a = (w = work, *w++ = q[1] * t);
-  L += i[-1].a + i->b + (*w)++ * (i++)->a;
-  L += w[0] * i->b + (*--w < 0.5 ? 1.0 : t);
+  L += i[-1].a + i->b;
+  L += (*w)++ * (i++)->a;
+  L += w[0] * i->b;
+  L += *--w < 0.5 ? 1.0 : t;
   return L;
 }

@@ -1,0 +1,35 @@
+#!/usr/bin/env bash
+# tlgen refuses a source with exactly the messages that it announces, and leaves no file behind.
+#   refuse.sh TLGEN SOURCE
+# The source says  /* tlgen: ARGUMENTS */  once (default: --lagrangian L --dof 1), and  /* expect: ID .. */  on each line at fault;
+# /* expect without a line: ID .. */ is for faults of the command line.
+set -euo pipefail
+tlgen=$1 source=$2
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+
+arguments=$(sed -n 's|^.*/\* tlgen: \([^*]*\) \*/.*$|\1|p' "$source")
+read -ra arguments <<<"${arguments:---lagrangian L --dof 1}"
+
+{
+  sed -n 's|^.*/\* expect without a line: \(.*\) \*/.*$|0 \1|p' "$source"
+  sed -n '/\/\* expect: /{=;p}' "$source" | sed 'N;s|^\([0-9]*\)\n.*/\* expect: \(.*\) \*/.*$|\1 \2|'
+} | while read -r line ids; do for id in $ids; do echo "$line $id"; done; done | sort -u >"$work/expected"
+
+cd "$work"
+status=0
+"$tlgen" "$source" "${arguments[@]}" --model m -o out.c -MD -- -std=c11 2>messages >printed || status=$?
+
+# FILE:LINE:COLUMN: error: TEXT [ID], or FILE: error: TEXT [ID]
+sed -n 's|^[^ ]*\.c: error: .* \[\([a-z-]*\)\]$|0 \1|p; s|^tlgen: error: .* \[\([a-z-]*\)\]$|0 \1|p; s|^[^ ]*:\([0-9]*\):[0-9]*: error: .* \[\([a-z-]*\)\]$|\1 \2|p' \
+  messages | sort -u >found
+
+failed=0
+[ "$status" = 1 ] || { echo "exit status $status, not 1"; failed=1; }
+diff -u "$work/expected" found || { echo "- expected, + found (line, id)"; failed=1; }
+grep -q error messages && [ "$(grep -c '^  instead: ' messages)" -ge "$(wc -l <found)" ] || { echo "a message without a way out"; failed=1; }
+left=$(ls | grep -vE '^(expected|found|messages|printed)$' || true)
+[ -z "$left" ] || { echo "left behind: $left"; failed=1; }
+[ ! -s printed ] || { echo "something on stdout"; failed=1; }
+[ $failed = 0 ] || cat messages
+exit $failed

@@ -1,0 +1,17 @@
+/* What is refused where it stands, all of it in one run. */
+double L(const double *q)
+{
+  double s = 0.0;
+  int i = 0;
+again:                                     /* expect: goto */
+  s += q[i];
+  if (++i < 2) goto again;                 /* expect: goto */
+  switch (i) {                             /* expect: switch */
+  case 0: s += 1.0; break;
+  default: s += 2.0;
+  }
+  __asm__("nop");                          /* expect: asm unsupported */
+  s += _Generic(s, double: 1.0, int: 2.0); /* expect: unsupported */
+  s += "text"[0];                          /* expect: unsupported */
+  return s;
+}

@@ -1,0 +1,24 @@
+/* Model "constraints" on truncated Taylor series, printed by tlgen from constraints.c. Do not edit. */
+#ifndef CONSTRAINTS_TL_H
+#define CONSTRAINTS_TL_H
+
+#include "eom/model.h"
+
+struct linkage {
+  int coordinates;
+  int links;
+  double length[2];
+  double ratio;
+};
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+extern const eom_model constraints_model;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif

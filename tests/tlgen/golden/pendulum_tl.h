@@ -1,0 +1,17 @@
+/* Model "pendulum" on truncated Taylor series, printed by tlgen from pendulum.c. Do not edit. */
+#ifndef PENDULUM_TL_H
+#define PENDULUM_TL_H
+
+#include "eom/model.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+extern const eom_model pendulum_model;
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
