@@ -227,6 +227,8 @@ static void repeats_to_the_bit(void **state) {
     assert_int_equal(eom_lyapunov_init(&ly, sys, &options, 0, y, 1e-3, memory + k, bytes), EOM_OK);
     run(&ly, 0.1);
     memcpy(rho[k], ly.rho, sizeof rho[k]);
+    memcpy(ly.rho, (const double[]){3, 1, -3, -1.5}, sizeof rho[k]); /* pairs +-3 and 1, -1.5 once sorted */
+    assert_close(eom_lyapunov_pairing_error(&ly), 0.5 / 0.1, 1e-12, 0);
     assert_int_equal(eom_lyapunov_init(&ly, sys, &options, 0, y, 1e-3, memory, bytes - 1), EOM_NO_MEMORY);
   }
   assert_memory_equal(rho[0], rho[1], sizeof rho[0]);
