@@ -9,7 +9,6 @@
 static eom_status start(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
   assert(sys && sys->workspace && q && qd);
   sys->report = (eom_report){.status = EOM_OK, .index = -1, .rank = -1};
-  sys->workspace->assembled = false;
   if (eom_check_finite(sys, "argument q", q, sys->n) != EOM_OK) return sys->report.status;
   if (eom_check_finite(sys, "argument qd", qd, sys->n) != EOM_OK) return sys->report.status;
   return eom_check_finite(sys, "argument t", &t, 1);
@@ -126,6 +125,5 @@ eom_status eom_assemble(eom_system *sys, const tl_real *q, const tl_real *qd, tl
   if (sys->m2 > 0 && assemble_nonholonomic(sys, q, qd, t) != EOM_OK) return sys->report.status;
   if (eom_check_finite(sys, "constraint matrix", sys->A, sys->m * sys->n) != EOM_OK) return sys->report.status;
   if (eom_check_finite(sys, "constraint vector b", sys->b, sys->m) != EOM_OK) return sys->report.status;
-  sys->workspace->assembled = true;
   return EOM_OK;
 }

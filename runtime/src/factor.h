@@ -7,8 +7,7 @@
 /* Factors sys->M and sys->A; fills rank, pivot, condition and weighted of the report. NO_INERTIA, NOT_FINITE. */
 eom_status eom_factor_make(eom_system *sys);
 
-/* One pass through the factors; see eom_kkt_solve for the refined solution. dq: n, dl: m, r1: n, r2: m; outputs may not be inputs.
- * What dependent rows leave unsatisfied is put in factor.w (m), each row scaled to unit length; zeros where the rank is full. */
+/* One pass through the factors; eom_kkt_solve refines it. dq: n, dl: m, r1: n, r2: m; outputs may not be inputs. */
 void eom_factor_apply(eom_system *sys, tl_real *dq, tl_real *dl, const tl_real *r1, const tl_real *r2);
 
 /* The solution with iterative refinement. Same arguments. */

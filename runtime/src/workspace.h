@@ -66,7 +66,6 @@ struct eom_workspace {
   tl_real *dq, *dl;     /* n, m: corrections */
   tl_real *rhs1, *rhs2; /* 2n vectors of n, of m: linearised right-hand sides, null without EOM_NEED_LINEARISE */
   tl_real *sol1, *sol2; /* 2n vectors of n, of m */
-  bool assembled;
 };
 
 /* Memory handed out from front to back; with base null it only counts. */
