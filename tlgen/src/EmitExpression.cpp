@@ -147,7 +147,7 @@ Text FunctionEmitter::pointer(const Expr *e) {
     return {pointer(e->args[0]).s + " " + e->text + " " + (offset.offset().empty() ? "0" : offset.offset()), Assignment};
   }
   case Expr::Conditional:
-    return {operand(value(e->args[0]), Or) + " ? " + operand(pointer(e->args[1]), Choice) + " : " + operand(pointer(e->args[2]), Choice), Choice};
+    return {operand(condition(e->args[0]), Or) + " ? " + operand(pointer(e->args[1]), Choice) + " : " + operand(pointer(e->args[2]), Choice), Choice};
   case Expr::Comma:
     if (needsStatements(e)) return evaluate(e->args[0]), pointer(e->args[1]);
     return {operand(value(e->args[0]), Assignment) + ", " + operand(pointer(e->args[1]), Assignment), Sequence};
@@ -183,7 +183,9 @@ Text FunctionEmitter::value(const Expr *e) {
   case Expr::Deref: return unaryText("*", value(e->args[0]));
   case Expr::AddressOf: return unaryText("&", value(e->args[0]));
   case Expr::Decay: return value(e->args[0]);
-  case Expr::Unary: return unaryText(e->text, value(e->args[0]));
+  case Expr::Unary:
+    if (e->text == "!" && e->args[0]->type->kind == Type::Real) return {operand(value(e->args[0]), Shift) + " == 0", Equality};
+    return unaryText(e->text, value(e->args[0]));
   case Expr::Binary: {
     if (e->text == "&&" || e->text == "||") return logicalValue(e);
     bool difference = e->text == "-" && activePointer(e->args[0]) && activePointer(e->args[1]);
@@ -223,20 +225,26 @@ Text FunctionEmitter::value(const Expr *e) {
   std::abort();
 }
 
-// A value as 0 or 1; a comparison is that already.
+// A value where C asks for zero or not: compilers warn of a floating-point number there.
+Text FunctionEmitter::condition(const Expr *e) {
+  Text t = value(e);
+  return e->type->kind == Type::Real ? Text{operand(t, Shift) + " != 0", Equality} : t;
+}
+
+// A condition as 0 or 1; a comparison is that already.
 static std::string truth(const Text &t) {
-  bool already = t.precedence == Relation || t.precedence == Equality || t.precedence == And || t.precedence == Or;
+  bool already = t.precedence == Relation || t.precedence == Equality || t.precedence == And || t.precedence == Or || t.s[0] == '!';
   return already ? t.s : operand(t, Shift) + " != 0";
 }
 
 // a && b and a || b evaluate b only where they must, also where b needs statements.
 Text FunctionEmitter::logicalValue(const Expr *e) {
-  if (!needsStatements(e->args[1])) return binaryText(e->text, value(e->args[0]), value(e->args[1]));
+  if (!needsStatements(e->args[1])) return binaryText(e->text, condition(e->args[0]), condition(e->args[1]));
   std::string test = fresh("test");
-  line("int " + test + " = " + truth(value(e->args[0])) + ";");
+  line("int " + test + " = " + truth(condition(e->args[0])) + ";");
   line("if (" + std::string(e->text == "&&" ? "" : "!") + test + ") {");
   ++indent_;
-  line(test + " = " + truth(value(e->args[1])) + ";");
+  line(test + " = " + truth(condition(e->args[1])) + ";");
   --indent_;
   line("}");
   return {test, Primary};
@@ -244,12 +252,12 @@ Text FunctionEmitter::logicalValue(const Expr *e) {
 
 Text FunctionEmitter::conditionalValue(const Expr *e) {
   if (!needsStatements(e->args[1]) && !needsStatements(e->args[2]))
-    return {operand(value(e->args[0]), Or) + " ? " + operand(value(e->args[1]), Choice) + " : " + operand(value(e->args[2]), Choice), Choice};
+    return {operand(condition(e->args[0]), Or) + " ? " + operand(value(e->args[1]), Choice) + " : " + operand(value(e->args[2]), Choice), Choice};
   std::string choice = fresh("choice");
   Type plain = *e->type;
   plain.isConst = false;
   line(tlgen::declaration(&plain, choice) + ";");
-  line("if (" + value(e->args[0]).s + ") {");
+  line("if (" + condition(e->args[0]).s + ") {");
   ++indent_;
   line(choice + " = " + operand(value(e->args[1]), Assignment) + ";");
   --indent_;
@@ -311,7 +319,7 @@ void FunctionEmitter::into(const std::string &dest, const Expr *e) {
   case Expr::Call: return line(callText(e, dest) + ";");
   case Expr::Comma: evaluate(e->args[0]); return into(dest, e->args[1]);
   case Expr::Conditional:
-    line("if (" + value(e->args[0]).s + ") {");
+    line("if (" + condition(e->args[0]).s + ") {");
     ++indent_;
     into(dest, e->args[1]);
     --indent_;

@@ -354,7 +354,7 @@ bool FunctionEmitter::isAlone(const Expr *lhs, const Expr *factor) const {
 void FunctionEmitter::branch(const Stmt *s) {
   bool statements = needsStatements(s->expr);
   if (statements) quote(s->loc);
-  line("if (" + value(s->expr).s + ") {");
+  line("if (" + condition(s->expr).s + ") {");
   body(s->then);
   if (s->otherwise) {
     line("} else {");
@@ -371,9 +371,9 @@ void FunctionEmitter::loop(const Stmt *s) {
   if (s->kind == Stmt::DoWhile) {
     line("do {");
     body(s->then);
-    return line("} while (" + value(s->expr).s + ");");
+    return line("} while (" + condition(s->expr).s + ");");
   }
-  std::string cond = s->expr ? value(s->expr).s : "";
+  std::string cond = s->expr ? condition(s->expr).s : "";
   if (s->kind == Stmt::While) line("while (" + cond + ") {");
   else {
     std::string init;
@@ -405,7 +405,7 @@ void FunctionEmitter::generalLoop(const Stmt *s) {
     if (!s->expr) return;
     temporariesUsed_ = 0;
     if (needsStatements(s->expr)) quote(s->loc);
-    line("if (!" + operand(value(s->expr), Prefix) + ") break;");
+    line("if (!" + operand(condition(s->expr), Prefix) + ") break;");
   };
   if (s->kind == Stmt::DoWhile) {
     line("if (" + again + ") {");

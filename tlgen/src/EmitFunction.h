@@ -70,6 +70,7 @@ private:
   Text value(const Expr *e);
   Text callValue(const Expr *e);
   Text conditionalValue(const Expr *e);
+  Text condition(const Expr *e);
   Text logicalValue(const Expr *e);
   Text pointer(const Expr *e);
   Address place(const Expr *lvalue);
