@@ -39,6 +39,11 @@ double lagrangian(const double *q, const double *qd, double t)
 
   if (q[1])
     L += sin(q[1]);
+  if (q[0] && (t || !q[1]))
+    L += q[0] * (qd[0] ? t : 1.0);
+  for (double left = 1.0; left; left -= 0.5)
+    if (!t || (far(t, q[0]) && left))
+      L += left * t;
   if (!(t > 0.0))
     b = t;
   else

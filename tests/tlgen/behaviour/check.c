@@ -18,7 +18,9 @@ static const double VALUE_RTOL = 64 * DBL_EPSILON;
 /* The same coefficients by other products: rounding only. */
 static const double SHAPE_RTOL = 1e-12;
 
-enum { POINTS = 8, MAX_FAULTS = 10 };
+enum { MAX_FAULTS = 10 };
+
+static int points = 8; /* or the program's argument */
 
 typedef struct checked {
   const eom_function *function;
@@ -96,7 +98,7 @@ static void check_values(const checked *f, const double *x, const evaluation *e)
   plain_call(f->number, out, copy, copy + f->n, copy[2 * f->n]);
   for (int row = 0; row < f->rows; row++) {
     double actual = result(e, row)[0], scale = fmax(fabs(out[row]), 1.0);
-    if (!(fabs(actual - out[row]) <= VALUE_RTOL * scale)) fault(f, row, "value", 0, NULL, actual, out[row], scale);
+    if (!(fabs(actual - out[row]) <= VALUE_RTOL * scale)) fault(f, row, "value beside the plain C in double", 0, NULL, actual, out[row], scale);
   }
 }
 
@@ -126,7 +128,7 @@ static void check_order(const checked *f, const double *x, const evaluation *e, 
     for (int row = 0; row < f->rows; row++) {
       double actual = derivative(e, row, order, index);
       if (!(fabs(actual - expected[number][row]) <= DERIVATIVE_RTOL * scale[row]))
-        fault(f, row, "derivative by", order, index, actual, expected[number][row], scale[row]);
+        fault(f, row, order ? "derivative by" : "value beside the plain C in quad", order, index, actual, expected[number][row], scale[row]);
     }
     number++;
   } while (next_index(index, order, count));
@@ -177,7 +179,7 @@ static void check_function(void **state) {
   int count = 2 * f->n + 1;
   rng r = {20160829};
   evaluation complete = start(f, tl_third_order(count));
-  for (int point = 0; point < POINTS; point++) {
+  for (int point = 0; point < points; point++) {
     double x[64], d[64], scale[16] = {0};
     for (int i = 0; i < count; i++) {
       x[i] = rng_uniform(&r, -1.0, 1.0);
@@ -197,7 +199,8 @@ static void check_function(void **state) {
   if (faults) fail_msg("%d numbers of %s differ", faults, f->function->name);
 }
 
-int main(void) {
+int main(int argc, char **argv) {
+  if (argc > 1) points = atoi(argv[1]);
   const eom_model *m = plain_model();
   const void *params = plain_params();
   checked list[16];
