@@ -109,17 +109,19 @@ bool Variant::varied(const Expr *e) const {
   }
 }
 
-// The fixed point over one variant.
+// One pass over one variant.
 class VariantAnalysis {
 public:
-  VariantAnalysis(Activity &activity, Variant &variant) : activity_(activity), v_(variant) {}
+  VariantAnalysis(Activity &activity, Variant &variant, bool checking) : activity_(activity), v_(variant), checking_(checking) {}
 
-  void run() {
-    do {
-      changed_ = false;
-      walk(v_.function->body);
-    } while (changed_);
-    checking_ = true;
+  // Spreads activity; true where anything changed.
+  bool pass() {
+    walk(v_.function->body);
+    return changed_;
+  }
+
+  // Once nothing changes any more: faults that only show then.
+  void check() {
     walk(v_.function->body);
     for (const Variable *param : v_.function->params)
       if (v_.active(param)) checkType(param->type, param->loc, "'" + param->name + "'");
@@ -205,6 +207,7 @@ private:
     if (!p) return;
     p = find(p);
     if (p->input) activity_.report("write-input", loc, "assignment");
+    changed_ |= !p->written;
     p->written = true;
   }
 
@@ -240,7 +243,7 @@ private:
       bool active = arg->type->kind == Type::Pointer ? v_.pointsToActive(arg) : v_.varied(arg);
       signature += active ? 'a' : 'p';
     }
-    Variant *callee = activity_.analyse(e->callee, signature);
+    Variant *callee = activity_.variant(e->callee, signature);
     if (v_.callees[e] != callee) v_.callees[e] = callee, changed_ = true;
     for (size_t i = 0; i < e->args.size(); ++i)
       if (e->args[i]->type->kind == Type::Pointer) takeBack(callee->places[callee->function->params[i]]->target, v_.target(e->args[i]), e);
@@ -293,14 +296,18 @@ private:
 
   Activity &activity_;
   Variant &v_;
-  bool changed_ = false, checking_ = false;
+  bool changed_ = false, checking_;
 };
 
 Activity::Activity(const Model &model, Diagnostics &diags, const std::vector<std::string> &paths) : diags_(diags), paths_(paths) {
   for (const ModelFunction &f : model.functions) {
     std::string signature;
     for (ArgRole role : f.args) signature += role == ArgRole::Params ? 'c' : role == ArgRole::Out || role == ArgRole::T ? 'a' : 'i';
-    roots_.push_back(analyse(f.function, signature));
+    roots_.push_back(variant(f.function, signature));
+  }
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (size_t i = 0; i < owned_.size(); ++i) changed |= VariantAnalysis(*this, *owned_[i], false).pass(); // new variants join at the end
   }
   std::set<const Variant *> seen;
   std::function<void(Variant *)> list = [&](Variant *v) {
@@ -311,6 +318,7 @@ Activity::Activity(const Model &model, Diagnostics &diags, const std::vector<std
     order_.push_back(v);
   };
   for (Variant *root : roots_) list(root);
+  for (Variant *v : order_) VariantAnalysis(*this, *v, true).check();
 }
 
 Activity::~Activity() = default;
@@ -322,7 +330,7 @@ Place *Activity::makePlace(const Type *type) {
   return p;
 }
 
-Variant *Activity::analyse(const Function *f, const std::string &signature) {
+Variant *Activity::variant(const Function *f, const std::string &signature) {
   Variant *&known = known_[{f, signature}];
   if (known) return known;
   known = owned_.emplace_back(std::make_unique<Variant>()).get();
@@ -337,7 +345,6 @@ Variant *Activity::analyse(const Function *f, const std::string &signature) {
     p->frozen = signature[i] == 'c';
     p->input = signature[i] == 'c' || signature[i] == 'i';
   }
-  VariantAnalysis(*this, *v).run();
   return v;
 }
 

@@ -60,7 +60,7 @@ public:
 
 private:
   friend class VariantAnalysis;
-  Variant *analyse(const Function *f, const std::string &signature);
+  Variant *variant(const Function *f, const std::string &signature);
   Place *makePlace(const Type *type);
   void report(const char *id, const Loc &loc, const std::string &what);
 

@@ -1,6 +1,6 @@
 // The calls emitter: tables, structs and functions in order, and the constant that describes the model to the runtime.
 #include "EmitCalls.h"
-#include "EmitFunction.h"
+#include "FrameBound.h"
 #include "Names.h"
 
 #include <algorithm>
@@ -10,7 +10,8 @@ namespace {
 
 class ModelEmitter {
 public:
-  ModelEmitter(const Program &program, const Model &model, const Activity &activity) : program_(program), model_(model), activity_(activity) {}
+  ModelEmitter(const Program &program, const Model &model, const Activity &activity, Diagnostics &diags)
+      : program_(program), model_(model), activity_(activity), diags_(diags) {}
 
   EmittedModel run(const std::string &headerName) {
     nameVariants();
@@ -125,8 +126,10 @@ private:
     return "static int " + name + "(const void *params)\n{\n" + unused + "  return " + value + ";\n}\n\n";
   }
 
-  std::string frameFunction(const std::string &name, long jets) const {
-    return "static size_t " + name + "(const void *params)\n{\n  (void)params;\n  return " + std::to_string(jets) + ";\n}\n\n";
+  std::string frameFunction(size_t i) const {
+    Bound bound = FrameBound(emitted_, model_, diags_, program_.paths).of(activity_.roots()[i], model_.functions[i].args);
+    std::string start = bound.usesParams() ? "  const " + model_.params->spelling + " *const p = params;\n" : "  (void)params;\n";
+    return "static size_t " + stem(i) + "_frame(const void *params)\n{\n" + start + "  return " + bound.text() + ";\n}\n\n";
   }
 
   std::string stem(size_t i) const { return adapterName(i).substr(0, adapterName(i).size() - 4); }
@@ -144,7 +147,7 @@ private:
     int counts[2] = {};
     for (size_t i = 0; i < model_.functions.size(); ++i) {
       const ModelFunction &f = model_.functions[i];
-      s += frameFunction(stem(i) + "_frame", emitted_.frames.at(activity_.roots()[i]));
+      s += frameFunction(i);
       std::string rows = f.role == Role::Force ? model_.name + "_dof" : stem(i) + "_rows";
       if (f.role != Role::Force) s += countFunction(rows, f.rows);
       if (f.role == Role::Lagrangian) lagrangian = entry(i, rows);
@@ -171,13 +174,14 @@ private:
   const Program &program_;
   const Model &model_;
   const Activity &activity_;
+  Diagnostics &diags_;
   Emitted emitted_;
 };
 
 } // namespace
 
-EmittedModel emitCalls(const Program &program, const Model &model, const Activity &activity, const std::string &headerName) {
-  return ModelEmitter(program, model, activity).run(headerName);
+EmittedModel emitCalls(const Program &program, const Model &model, const Activity &activity, Diagnostics &diags, const std::string &headerName) {
+  return ModelEmitter(program, model, activity, diags).run(headerName);
 }
 
 } // namespace tlgen

@@ -10,8 +10,8 @@ struct EmittedModel {
   std::string source, header;
 };
 
-// headerName: how the source includes its header. The text depends on nothing but the arguments.
-EmittedModel emitCalls(const Program &program, const Model &model, const Activity &activity, const std::string &headerName);
+// headerName: how the source includes its header. The text depends on nothing but the arguments. Frames without a bound are reported.
+EmittedModel emitCalls(const Program &program, const Model &model, const Activity &activity, Diagnostics &diags, const std::string &headerName);
 
 } // namespace tlgen
 

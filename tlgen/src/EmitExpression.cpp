@@ -9,17 +9,19 @@
 
 namespace tlgen {
 
+static bool isNumber(const std::string &s) { return !s.empty() && s.size() < 10 && s.find_first_not_of("0123456789") == std::string::npos; }
+
 std::string Address::offset() const {
   std::string sum;
   bool several = terms.size() > 1;
   long constant = 0;
   for (const auto &t : terms) {
-    bool number = !t.first.s.empty() && t.first.s.find_first_not_of("0123456789") == std::string::npos;
-    if (number) {
-      constant += std::stol(t.first.s) * t.second;
+    bool one = t.second.s == "1";
+    if (isNumber(t.first.s) && (isNumber(t.second.s) || t.first.s == "0")) {
+      constant += t.first.s == "0" ? 0 : std::stol(t.first.s) * std::stol(t.second.s);
       continue;
     }
-    std::string text = operand(t.first, several && t.second == 1 ? Sum : Product) + (t.second == 1 ? "" : "*" + std::to_string(t.second));
+    std::string text = operand(t.first, several && one ? Sum : Product) + (one ? "" : "*" + operand(t.second, Prefix));
     sum += (sum.empty() ? "" : " + ") + text;
   }
   if (sum.empty()) return constant == 0 ? "" : constant == 1 ? "nc" : std::to_string(constant) + "*nc";
@@ -65,27 +67,37 @@ bool FunctionEmitter::needsStatements(const Expr *e) const {
 
 // ---- addresses and pointers
 
-void FunctionEmitter::term(Address &a, const Expr *index, long count) {
+// How many jets an object takes: a number, or for an array of variable length a product.
+Text FunctionEmitter::jetCount(const Type *type) {
+  if (!variableLength(type)) return {std::to_string(elements(type)), Primary};
+  Text length = type->length ? value(type->length) : Text{std::to_string(type->count), Primary};
+  Text inner = jetCount(type->element);
+  return inner.s == "1" ? length : binaryText("*", length, inner);
+}
+
+void FunctionEmitter::offset(Address &a, long jets) { a.terms.push_back({{std::to_string(jets), Primary}, {"1", Primary}}); }
+
+void FunctionEmitter::term(Address &a, const Expr *index, const Type *element) {
   Text t = value(index);
   bool isUnsigned = index->type->name.compare(0, 8, "unsigned") == 0 && index->kind != Expr::Literal;
   if (isUnsigned) t = {"(ptrdiff_t)" + operand(t, Prefix), Prefix};
   if (index->kind == Expr::Literal) t.s.erase(std::find_if(t.s.begin(), t.s.end(), [](char ch) { return ch == 'u' || ch == 'l'; }), t.s.end());
-  a.terms.push_back({t, count});
+  a.terms.push_back({t, jetCount(element)});
 }
 
 Address FunctionEmitter::place(const Expr *e) {
   switch (e->kind) {
-  case Expr::Ref: return {e->var->name, {}};
+  case Expr::Ref: return {nameOf(e->var), {}};
   case Expr::Member: {
     const Expr *base = e->args[0];
     Address a = e->arrow ? Address{operand(pointer(base), Postfix), {}} : base->kind == Expr::Call || base->kind == Expr::Conditional ? Address{jet(base), {}} : place(base);
     const Type *record = e->arrow ? base->type->element : base->type;
-    a.terms.push_back({{std::to_string(fieldOffset(record->record, e->text)), Primary}, 1});
+    offset(a, fieldOffset(record->record, e->text));
     return a;
   }
   case Expr::Index: {
     Address a = e->args[0]->kind == Expr::Decay ? place(e->args[0]->args[0]) : Address{operand(pointer(e->args[0]), Postfix), {}};
-    term(a, e->args[1], elements(e->type));
+    term(a, e->args[1], e->type);
     return a;
   }
   case Expr::Deref: {
@@ -120,17 +132,21 @@ Text FunctionEmitter::fixedAddress(const Expr *lvalue) {
 // A pointer to active numbers.
 Text FunctionEmitter::pointer(const Expr *e) {
   auto sum = [](const Address &a) { return Text{a.pointer(), a.offset().empty() ? Postfix : Sum}; };
-  long count = elements(e->type->element);
-  std::string jets = count == 1 ? "nc" : std::to_string(count) + "*nc";
+  if (!holdsNumbers(e->type->element)) return pointerValue(e);
+  const Type *element = e->type->element;
+  Address one{"", {{{"1", Primary}, jetCount(element)}}};
+  std::string jets = one.offset();
   switch (e->kind) {
-  case Expr::Ref: return {e->var->name, Primary};
+  case Expr::Ref: return {nameOf(e->var), Primary};
+  case Expr::Index: return {operand(pointer(e->args[0]), Postfix) + "[" + value(e->args[1]).s + "]", Postfix};
+  case Expr::Deref: return unaryText("*", pointer(e->args[0]));
   case Expr::Decay:
   case Expr::AddressOf: return sum(place(e->args[0]));
   case Expr::Cast: return pointer(e->args[0]);
   case Expr::Binary: {
     bool first = e->args[0]->type->kind == Type::Pointer;
     Address offset{"", {}};
-    term(offset, e->args[first ? 1 : 0], count);
+    term(offset, e->args[first ? 1 : 0], element);
     std::string o = offset.offset();
     if (o.empty()) return pointer(e->args[first ? 0 : 1]);
     return {operand(pointer(e->args[first ? 0 : 1]), Sum) + " " + e->text + " " + o, Sum};
@@ -143,7 +159,7 @@ Text FunctionEmitter::pointer(const Expr *e) {
   case Expr::Assign: {
     if (e->text == "=") return {pointer(e->args[0]).s + " = " + operand(pointer(e->args[1]), Assignment), Assignment};
     Address offset{"", {}};
-    term(offset, e->args[1], count);
+    term(offset, e->args[1], element);
     return {pointer(e->args[0]).s + " " + e->text + " " + (offset.offset().empty() ? "0" : offset.offset()), Assignment};
   }
   case Expr::Conditional:
@@ -151,7 +167,28 @@ Text FunctionEmitter::pointer(const Expr *e) {
   case Expr::Comma:
     if (needsStatements(e)) return evaluate(e->args[0]), pointer(e->args[1]);
     return {operand(value(e->args[0]), Assignment) + ", " + operand(pointer(e->args[1]), Assignment), Sequence};
-  default: std::abort(); // pointers to pointers are refused
+  default: std::abort(); // no other expression points to active numbers
+  }
+}
+
+// A pointer to pointers to active numbers: plain C, whatever it is made of.
+Text FunctionEmitter::pointerValue(const Expr *e) {
+  switch (e->kind) {
+  case Expr::Ref: return {nameOf(e->var), Primary};
+  case Expr::Decay: return pointerValue(e->args[0]);
+  case Expr::AddressOf: return unaryText("&", pointer(e->args[0]));
+  case Expr::Index: return {operand(pointerValue(e->args[0]), Postfix) + "[" + value(e->args[1]).s + "]", Postfix};
+  case Expr::Deref: return unaryText("*", pointerValue(e->args[0]));
+  case Expr::Cast: return pointerValue(e->args[0]);
+  case Expr::Binary: {
+    bool first = e->args[0]->type->kind == Type::Pointer;
+    return binaryText(e->text, first ? pointerValue(e->args[0]) : value(e->args[0]), first ? value(e->args[1]) : pointerValue(e->args[1]));
+  }
+  case Expr::Step: return e->prefix ? unaryText(e->text, pointerValue(e->args[0])) : Text{operand(pointerValue(e->args[0]), Postfix) + e->text, Postfix};
+  case Expr::Assign: return binaryText(e->text, pointerValue(e->args[0]), e->text == "=" ? pointerValue(e->args[1]) : value(e->args[1]));
+  case Expr::Conditional:
+    return {operand(value(e->args[0]), Or) + " ? " + operand(pointerValue(e->args[1]), Choice) + " : " + operand(pointerValue(e->args[2]), Choice), Choice};
+  default: std::abort(); // no other expression has such a type
   }
 }
 
@@ -177,7 +214,7 @@ Text FunctionEmitter::value(const Expr *e) {
   if (isObject(e) || ((e->kind == Expr::Assign || e->kind == Expr::Step) && activeObject(e))) return {place(e).value(), Postfix};
   switch (e->kind) {
   case Expr::Literal: return {e->text, e->text[0] == '-' ? Prefix : Primary};
-  case Expr::Ref: return {e->var->name, Primary};
+  case Expr::Ref: return {nameOf(e->var), Primary};
   case Expr::Index: return {operand(value(e->args[0]), Postfix) + "[" + value(e->args[1]).s + "]", Postfix};
   case Expr::Member: return {operand(value(e->args[0]), Postfix) + (e->arrow ? "->" : ".") + e->text, Postfix};
   case Expr::Deref: return unaryText("*", value(e->args[0]));
@@ -190,8 +227,10 @@ Text FunctionEmitter::value(const Expr *e) {
     if (e->text == "&&" || e->text == "||") return logicalValue(e);
     bool difference = e->text == "-" && activePointer(e->args[0]) && activePointer(e->args[1]);
     if (!difference) return binaryText(e->text, value(e->args[0]), value(e->args[1]));
-    long count = elements(e->args[0]->type->element);
-    return {"(" + pointer(e->args[0]).s + " - " + operand(pointer(e->args[1]), Product) + ")/" + (count == 1 ? "nc" : "(" + std::to_string(count) + "*nc)"), Product};
+    std::string distance = "(" + pointer(e->args[0]).s + " - " + operand(pointer(e->args[1]), Product) + ")";
+    if (!holdsNumbers(e->args[0]->type->element)) return {distance, Primary};
+    Address one{"", {{{"1", Primary}, jetCount(e->args[0]->type->element)}}};
+    return {distance + "/" + (one.offset() == "nc" ? "nc" : "(" + one.offset() + ")"), Product};
   }
   case Expr::Conditional: return conditionalValue(e);
   case Expr::Call: return callValue(e);
@@ -276,7 +315,7 @@ Text FunctionEmitter::callValue(const Expr *e) {
 
 std::string FunctionEmitter::callText(const Expr *e, const std::string &dest) {
   const Variant *callee = v_.callees.at(e);
-  calleeFrame_ = std::max(calleeFrame_, emitted_.frames.at(callee));
+  frame_.calls.push_back({e, callee});
   std::string args = callee->active() ? "cx" : "";
   auto add = [&](const std::string &a) { args += (args.empty() ? "" : ", ") + a; };
   if (!dest.empty()) add(dest);

@@ -19,9 +19,13 @@ static bool mentions(const std::string &text, const std::string &word) {
 }
 
 // All lines that give back a frame, once its size is known.
-static void setFrame(std::string &text, long frame) {
+static void setFrame(std::string &text, bool marked, long frame) {
   const std::string mark = "tl_pop(cx, @FRAME@);";
   for (size_t at; (at = text.find(mark)) != std::string::npos;) {
+    if (marked) {
+      text.replace(at, mark.size(), "cx->top = mark;");
+      continue;
+    }
     if (frame) {
       text.replace(at, mark.size(), "tl_pop(cx, " + std::to_string(frame) + ");");
       continue;
@@ -33,6 +37,7 @@ static void setFrame(std::string &text, long frame) {
 
 std::string FunctionEmitter::run() {
   survey(v_.function->body);
+  for (auto it = frame_.constants.begin(); it != frame_.constants.end();) it = assigned_.count(it->first) ? frame_.constants.erase(it) : std::next(it);
   copyParameters();
   for (const Variable *param : v_.function->params)
     if (!referenced_.count(param)) line("(void)" + param->name + ";");
@@ -42,13 +47,17 @@ std::string FunctionEmitter::run() {
   bool open = v_.function->body->body.empty() || v_.function->body->body.back()->kind != Stmt::Return;
   if (open && v_.active()) line("tl_pop(cx, @FRAME@);");
   long frame = slots_ + temporaries_;
-  setFrame(out_, frame);
-  emitted_.frames[&v_] = frame + calleeFrame_;
+  bool marked = !frame_.arrays.empty();
+  setFrame(out_, marked, frame);
+  frame_.fixed = frame;
+  emitted_.frames[&v_] = frame_;
 
-  std::string head;
+  std::string head = hoisted_;
   for (int i = 0; i < temporaries_; ++i) head += "  tl_real *const tmp" + std::to_string(i) + " = " + slot(slots_ + i) + ";\n";
   std::string fallback = v_.function->result->kind == Type::Void || find(v_.result)->active ? "" : " 0";
+  if (frame && marked) fallback = ""; // nothing to give back yet
   if (frame) head = "  tl_real *const frame = tl_push(cx, " + std::to_string(frame) + ");\n  if (!frame) return" + fallback + ";\n" + head;
+  if (marked) head = "  tl_real *const mark = cx->top;\n" + head;
   if (mentions(head + out_, "nc")) head = "  const ptrdiff_t nc = cx->shape->ncoef;\n" + head;
   if (v_.active() && !mentions(head + out_, "cx")) head = "  (void)cx;\n";
   return signature() + "\n{\n" + head + out_ + "}\n";
@@ -97,13 +106,14 @@ void FunctionEmitter::copyParameters() {
   }
 }
 
-// The declaration of a pointer to active numbers: arrays of any rank are flat, so every one is a pointer to tl_real.
+// The declaration of a pointer to active numbers, or of pointers to such pointers: numbers, arrays and structs of them are flat.
 std::string FunctionEmitter::jetDeclaration(const Type *type, const std::string &name) const {
-  std::string stars;
-  const Type *t = type;
-  for (; t->kind == Type::Pointer || t->kind == Type::Array; t = t->element)
-    if (t->kind == Type::Pointer) stars = std::string("*") + (t->isConst ? "const " : "") + stars;
-  return std::string(t->isConst ? "const " : "") + "tl_real " + stars + name;
+  if (type->kind == Type::Array) return jetDeclaration(type->element, name + "[" + std::to_string(type->count) + "]");
+  std::string inner = std::string("*") + (type->isConst ? "const " : "") + name;
+  const Type *target = type->element;
+  if (!holdsNumbers(target)) return jetDeclaration(target, target->kind == Type::Array ? "(" + inner + ")" : inner);
+  while (target->kind == Type::Array) target = target->element;
+  return std::string(target->isConst ? "const " : "") + "tl_real " + inner;
 }
 
 // Which variables are assigned, and which are ever read: a value that nobody reads would make compilers warn.
@@ -111,10 +121,18 @@ void FunctionEmitter::survey(const Stmt *s) {
   if (!s) return;
   for (const Stmt *part : s->body) survey(part);
   survey(s->init);
+  hoist_ |= s->kind == Stmt::Switch || s->kind == Stmt::Goto;
+  if (s->kind == Stmt::Declare && s->expr) frame_.constants[s->var] = s->expr;
+  if (s->kind == Stmt::Declare) surveyLengths(s->var->type);
   if (s->expr) survey(s->expr, s->kind != Stmt::Evaluate);
   if (s->step) survey(s->step, false);
   survey(s->then);
   survey(s->otherwise);
+}
+
+void FunctionEmitter::surveyLengths(const Type *type) {
+  for (; type && type->kind != Type::Struct; type = type->element)
+    if (type->length) survey(type->length, true);
 }
 
 void FunctionEmitter::survey(const Expr *e, bool read) {
@@ -179,6 +197,12 @@ std::string FunctionEmitter::inputName(const Variable *param) const {
   return name;
 }
 
+// The name in the output: the source's, but for locals that were placed at the top together with others of that name.
+std::string FunctionEmitter::nameOf(const Variable *v) const {
+  auto renamed = renamed_.find(v);
+  return renamed == renamed_.end() ? v->name : renamed->second;
+}
+
 void FunctionEmitter::statement(const Stmt *s) {
   temporariesUsed_ = 0;
   switch (s->kind) {
@@ -193,8 +217,12 @@ void FunctionEmitter::statement(const Stmt *s) {
   case Stmt::While:
   case Stmt::DoWhile:
   case Stmt::For: loop(s); break;
-  case Stmt::Break: line("break;"); break;
-  case Stmt::Continue: line("continue;"); break;
+  case Stmt::Switch: choose(s); break;
+  case Stmt::Case: choice(s, nullptr); break;
+  case Stmt::Label: out_ += nameOf(s) + ":;\n"; quoted_ = {}; break;
+  case Stmt::Goto: line("goto " + nameOf(s) + ";"); break;
+  case Stmt::Break: leave(false); line("break;"); break;
+  case Stmt::Continue: leave(true); line("continue;"); break;
   case Stmt::Return: returns(s); break;
   }
 }
@@ -210,39 +238,131 @@ void FunctionEmitter::statements(const std::vector<Stmt *> &list) {
 void FunctionEmitter::body(const Stmt *s) {
   ++indent_;
   quoted_ = {};
+  bool marks = s && std::any_of(s->body.begin(), s->body.end(), [&](const Stmt *part) {
+    return part->kind == Stmt::Declare && v_.active(part->var) && variableLength(part->var->type);
+  });
+  std::string mark = marks ? fresh("mark") : "";
+  if (marks) line("tl_real *const " + mark + " = cx->top;");
+  scopes_.push_back({Scope::Plain, mark});
   if (s && s->kind == Stmt::Block) statements(s->body);
   else if (s) statement(s);
+  scopes_.pop_back();
+  if (marks) line("cx->top = " + mark + ";");
   --indent_;
+  quoted_ = {};
+}
+
+// Before a break or continue: gives back the arrays of variable length of the blocks that it leaves.
+void FunctionEmitter::leave(bool loopOnly) {
+  std::string outermost;
+  for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope) {
+    if (!scope->mark.empty()) outermost = scope->mark;
+    if (scope->kind == Scope::Loop || (scope->kind == Scope::Choice && !loopOnly)) break;
+  }
+  if (!outermost.empty()) line("cx->top = " + outermost + ";");
+}
+
+std::string FunctionEmitter::nameOf(const Stmt *label) { return label->label + "_label"; }
+
+void FunctionEmitter::choose(const Stmt *s) {
+  line("switch (" + value(s->expr).s + ") {");
+  scopes_.push_back({Scope::Choice, ""});
+  const Stmt *before = nullptr;
+  for (const Stmt *part : s->then->body) {
+    if (part->kind == Stmt::Case) {
+      choice(part, before);
+    } else {
+      ++indent_;
+      statement(part);
+      --indent_;
+    }
+    before = part;
+  }
+  scopes_.pop_back();
+  line("}");
+  quoted_ = {};
+}
+
+// A case; where the statement before it runs on into it, compilers want to be told that this is meant.
+void FunctionEmitter::choice(const Stmt *s, const Stmt *before) {
+  bool ends = !before || before->kind == Stmt::Case || before->kind == Stmt::Break || before->kind == Stmt::Return || before->kind == Stmt::Goto || before->kind == Stmt::Continue;
+  if (!ends) line("/* fall through */");
+  line(s->expr ? "case " + value(s->expr).s + ":" : "default:");
   quoted_ = {};
 }
 
 void FunctionEmitter::declare(const Stmt *s) {
   const Variable *var = s->var;
-  std::string name = var->name;
+  std::string name = nameOf(var);
   if (var->isStatic) return line("static " + declaration(var->type, name) + " = " + initializer(var->init) + ";");
   bool unread = !read_.count(var);
   if (!v_.active(var)) {
     std::string init;
     if (s->expr && s->expr->kind == Expr::InitList) init = " = " + value(s->expr).s;
     else if (s->expr) init = " = " + operand(value(s->expr), Assignment);
-    line(declaration(var->type, name) + init + ";");
-  } else if (var->type->kind == Type::Pointer) {
-    line(jetDeclaration(var->type, name) + (s->expr ? " = " + operand(pointer(s->expr), Assignment) : "") + ";");
+    line(passiveDeclaration(var->type, name) + init + ";");
+  } else if (!holdsNumbers(var->type)) {
+    std::string init;
+    if (s->expr && s->expr->kind == Expr::InitList) init = " = " + pointerList(s->expr);
+    else if (s->expr) init = " = " + operand(pointer(s->expr), Assignment);
+    line(jetDeclaration(var->type, name) + init + ";");
   } else {
     if (s->expr) quote(s->loc);
-    line("tl_real *const " + name + " = " + slot(slots_) + ";");
-    slots_ += elements(var->type);
-    if (s->expr) {
-      initObject(name, var->type, s->expr);
-    }
+    if (variableLength(var->type)) variableArray(var);
+    else placeLocal(var);
+    name = nameOf(var); // settled when it was placed
+    if (s->expr) initObject(name, var->type, s->expr);
   }
   if (unread) line("(void)" + name + ";");
+}
+
+std::string FunctionEmitter::passiveDeclaration(const Type *type, std::string name) {
+  if (!variableLength(type)) return declaration(type, name);
+  for (; type->kind == Type::Array; type = type->element) name += "[" + (type->length ? value(type->length).s : std::to_string(type->count)) + "]";
+  return declaration(type, name);
+}
+
+std::string FunctionEmitter::pointerList(const Expr *list) {
+  std::string items;
+  for (const Expr *item : list->args)
+    items += (items.empty() ? "" : ", ") + (!item ? std::string("NULL") : item->kind == Expr::InitList ? pointerList(item) : operand(pointer(item), Assignment));
+  return "{" + items + "}";
+}
+
+// A local of fixed size gets its jets in the frame; where jumps could pass the declaration, at the top of the function.
+void FunctionEmitter::placeLocal(const Variable *var) {
+  std::string name = nameOf(var);
+  if (!hoist_) line("tl_real *const " + name + " = " + slot(slots_) + ";");
+  else {
+    std::string unique = name;
+    for (int n = 2; !hoistedNames_.insert(unique).second; ++n) unique = name + std::to_string(n);
+    renamed_[var] = unique;
+    hoisted_ += "  tl_real *const " + unique + " = " + slot(slots_) + ";\n";
+  }
+  slots_ += elements(var->type);
+}
+
+// An array of variable length takes its jets from the stack where it is declared.
+void FunctionEmitter::variableArray(const Variable *var) {
+  std::string name = nameOf(var);
+  frame_.arrays.push_back(var);
+  line("tl_real *const " + name + " = tl_push(cx, (size_t)" + operand(jetCount(var->type), Prefix) + ");");
+  std::string fallback = v_.function->result->kind == Type::Void || find(v_.result)->active ? "" : " 0";
+  line("if (!" + name + ") {");
+  line("  cx->top = mark;");
+  line("  return" + fallback + ";");
+  line("}");
+}
+
+// The place a number of jets behind another.
+static std::string at(const std::string &base, long jets) {
+  return jets == 0 ? base : base + " + " + (jets == 1 ? "" : std::to_string(jets) + "*") + "nc";
 }
 
 // Number by number; what a list leaves out is zero. A null e is all zeros.
 void FunctionEmitter::initObject(const std::string &base, const Type *type, const Expr *e) {
   if (e && e->kind != Expr::InitList) return into(base, e);
-  auto part = [&](long offset) { return Address{base, {{Text{std::to_string(offset), Primary}, 1}}}.pointer(); };
+  auto part = [&](long offset) { return at(base, offset); };
   auto item = [&](size_t i) { return e && i < e->args.size() ? e->args[i] : nullptr; };
   if (type->kind == Type::Array)
     for (long i = 0; i < type->count; ++i) initObject(part(i * elements(type->element)), type->element, item(static_cast<size_t>(i)));
@@ -257,7 +377,7 @@ void FunctionEmitter::initObject(const std::string &base, const Type *type, cons
 
 // A passive object into jets: text names it in C.
 void FunctionEmitter::constants(const std::string &base, const Type *type, const Text &text) {
-  auto part = [&](long offset) { return Address{base, {{Text{std::to_string(offset), Primary}, 1}}}.pointer(); };
+  auto part = [&](long offset) { return at(base, offset); };
   if (type->kind == Type::Array)
     for (long i = 0; i < type->count; ++i) constants(part(i * elements(type->element)), type->element, {operand(text, Postfix) + "[" + std::to_string(i) + "]", Postfix});
   else if (type->kind == Type::Struct)
@@ -364,6 +484,12 @@ void FunctionEmitter::branch(const Stmt *s) {
 }
 
 void FunctionEmitter::loop(const Stmt *s) {
+  scopes_.push_back({Scope::Loop, ""});
+  emitLoop(s);
+  scopes_.pop_back();
+}
+
+void FunctionEmitter::emitLoop(const Stmt *s) {
   bool activeStep = s->step && (needsStatements(s->step) || (s->step->kind == Expr::Comma));
   bool activeInit = s->init && s->init->kind == Stmt::Block && std::any_of(s->init->body.begin(), s->init->body.end(), [&](const Stmt *d) { return v_.active(d->var); });
   if (s->init && s->init->kind == Stmt::Evaluate) activeInit = needsStatements(s->init->expr) || s->init->expr->kind == Expr::Comma;
@@ -380,7 +506,7 @@ void FunctionEmitter::loop(const Stmt *s) {
     if (s->init && s->init->kind == Stmt::Evaluate) init = value(s->init->expr).s;
     else if (s->init && !s->init->body.empty()) {
       const Stmt *d = s->init->body[0];
-      init = declaration(d->var->type, d->var->name) + (d->expr ? " = " + operand(value(d->expr), Assignment) : "");
+      init = declaration(d->var->type, nameOf(d->var)) + (d->expr ? " = " + operand(value(d->expr), Assignment) : "");
     }
     line("for (" + init + "; " + cond + "; " + (s->step ? effect(s->step) : "") + ") {");
   }
@@ -478,11 +604,11 @@ bool FunctionEmitter::sincosPair(const Stmt *first, const Stmt *second) {
   if (x->kind == Expr::Index && !a.declares && addressTaken_.count(a.var)) return false; // the element may be that variable
   quote(first->loc);
   for (const Half &h : {a, b})
-    if (h.declares) line("tl_real *const " + h.var->name + " = " + slot(slots_++) + ";");
+    if (h.declares) placeLocal(h.var);
   const Half &sine = a.call->text == "sin" ? a : b, &cosine = a.call->text == "sin" ? b : a;
-  operation("sincos", sine.var->name + ", " + cosine.var->name + ", " + place);
+  operation("sincos", nameOf(sine.var) + ", " + nameOf(cosine.var) + ", " + place);
   for (const Half &h : {a, b})
-    if (h.declares && !read_.count(h.var)) line("(void)" + h.var->name + ";");
+    if (h.declares && !read_.count(h.var)) line("(void)" + nameOf(h.var) + ";");
   return true;
 }
 

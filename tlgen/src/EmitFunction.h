@@ -13,16 +13,24 @@
 
 namespace tlgen {
 
-// Names of the variants in the output, and the size of each one's frame with those of its callees.
+// What a function takes from the frame stack by itself, in jets, and whom it calls.
+struct Frame {
+  long fixed = 0;
+  std::vector<const Variable *> arrays; // of variable length
+  std::vector<std::pair<const Expr *, const Variant *>> calls;
+  std::map<const Variable *, const Expr *> constants; // locals that keep the value they are declared with
+};
+
+// Names of the variants in the output, and their frames.
 struct Emitted {
   std::map<const Variant *, std::string> names;
-  std::map<const Variant *, long> frames;
+  std::map<const Variant *, Frame> frames;
 };
 
 // Where a jet stands: a pointer, and how many jets behind it.
 struct Address {
   std::string base;
-  std::vector<std::pair<Text, long>> terms; // index and jets per index
+  std::vector<std::pair<Text, Text>> terms; // index and jets per index
 
   std::string offset() const;  // "3*nc", "(i*4 + j)*nc"; empty for none
   std::string pointer() const; // base + offset
@@ -45,6 +53,7 @@ private:
   bool needsCopy(size_t i) const;
   void survey(const Stmt *s);
   void survey(const Expr *e, bool read);
+  void surveyLengths(const Type *type);
 
   // Statements
   void statements(const std::vector<Stmt *> &list);
@@ -61,7 +70,13 @@ private:
   bool isAlone(const Expr *lhs, const Expr *factor) const;
   void branch(const Stmt *s);
   void loop(const Stmt *s);
+  void emitLoop(const Stmt *s);
   void generalLoop(const Stmt *s);
+  void choose(const Stmt *s);
+  void choice(const Stmt *s, const Stmt *before);
+  void leave(bool loopOnly);
+  void variableArray(const Variable *var);
+  void placeLocal(const Variable *var);
   void body(const Stmt *s);
   void returns(const Stmt *s);
   bool sincosPair(const Stmt *first, const Stmt *second);
@@ -73,6 +88,7 @@ private:
   Text condition(const Expr *e);
   Text logicalValue(const Expr *e);
   Text pointer(const Expr *e);
+  Text pointerValue(const Expr *e);
   Address place(const Expr *lvalue);
   std::string address(const Expr *lvalue);
   Text fixedAddress(const Expr *lvalue);
@@ -96,7 +112,13 @@ private:
   std::string temporary(const Type *type);
   std::string fresh(const std::string &stem);
   std::string inputName(const Variable *param) const;
-  void term(Address &a, const Expr *index, long count);
+  std::string nameOf(const Variable *v) const;
+  static std::string nameOf(const Stmt *label);
+  std::string pointerList(const Expr *list);
+  std::string passiveDeclaration(const Type *type, std::string name);
+  void term(Address &a, const Expr *index, const Type *element);
+  static void offset(Address &a, long jets);
+  Text jetCount(const Type *type);
 
   const Program &program_;
   const Variant &v_;
@@ -105,7 +127,16 @@ private:
   int indent_ = 1;
   long slots_ = 0;             // jets of named locals
   int temporaries_ = 0, temporariesUsed_ = 0, freshNames_ = 0;
-  long calleeFrame_ = 0;
+  Frame frame_;
+  struct Scope {
+    enum Kind { Plain, Loop, Choice } kind;
+    std::string mark; // where the frame stack stood, in a block with arrays of variable length
+  };
+  std::vector<Scope> scopes_;
+  bool hoist_ = false;      // locals are placed at the top, since jumps may pass their declarations
+  std::string hoisted_;
+  std::map<const Variable *, std::string> renamed_;
+  std::set<std::string> hoistedNames_;
   Loc quoted_;
   bool writesThroughPointer_ = false;
   std::set<const Variable *> assigned_, addressTaken_, read_, referenced_;

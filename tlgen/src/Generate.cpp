@@ -62,7 +62,8 @@ int generate(const Options &options) {
   Activity activity(model, diags, program.paths);
   if (diags.hasErrors()) return refuse(diags);
 
-  EmittedModel text = emitCalls(program, model, activity, header.substr(header.find_last_of('/') + 1));
+  EmittedModel text = emitCalls(program, model, activity, diags, header.substr(header.find_last_of('/') + 1));
+  if (diags.hasErrors()) return refuse(diags);
   diags.print(std::cerr);
   std::vector<std::pair<std::string, std::string>> out = {{options.output, text.source}, {header, text.header}};
   if (options.depfile) out.push_back({options.output + ".d", depRule(options.output, files)});

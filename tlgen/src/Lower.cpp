@@ -69,6 +69,7 @@ private:
   const Variable *reference(const c::VarDecl *decl);
   Stmt *stmt(const c::Stmt *s);
   Stmt *declaration(const c::DeclStmt *s);
+  void append(Stmt *block, const c::Stmt *s);
   Expr *expr(const c::Expr *e);
   Expr *castOf(const c::CastExpr *e);
   Expr *unary(const c::UnaryOperator *e);
@@ -99,6 +100,11 @@ const Type *Lowering::type(c::QualType qt) {
     t.kind = Type::Array;
     t.count = static_cast<long>(array->getSize().getZExtValue());
     t.element = type(array->getElementType());
+    t.isConst = t.element->isConst;
+  } else if (const auto *variable = context_->getAsVariableArrayType(qt)) {
+    t.kind = Type::Array;
+    t.length = expr(variable->getSizeExpr());
+    t.element = type(variable->getElementType());
     t.isConst = t.element->isConst;
   } else if (canonical->isPointerType()) {
     t.kind = Type::Pointer;
@@ -213,6 +219,26 @@ Stmt *Lowering::declaration(const c::DeclStmt *s) {
   return block;
 }
 
+// A statement into a block: declarations one by one, cases and labels as statements of their own.
+void Lowering::append(Stmt *block, const c::Stmt *s) {
+  if (const auto *decl = llvm::dyn_cast<c::DeclStmt>(s)) {
+    Stmt *several = declaration(decl);
+    block->body.insert(block->body.end(), several->body.begin(), several->body.end());
+  } else if (const auto *choice = llvm::dyn_cast<c::SwitchCase>(s)) {
+    Stmt *n = node(Stmt::Case, s);
+    if (const auto *value = llvm::dyn_cast<c::CaseStmt>(choice)) n->expr = expr(value->getLHS());
+    block->body.push_back(n);
+    append(block, choice->getSubStmt());
+  } else if (const auto *label = llvm::dyn_cast<c::LabelStmt>(s)) {
+    Stmt *n = node(Stmt::Label, s);
+    n->label = label->getDecl()->getNameAsString();
+    block->body.push_back(n);
+    append(block, label->getSubStmt());
+  } else if (!llvm::isa<c::NullStmt>(s)) {
+    block->body.push_back(stmt(s));
+  }
+}
+
 Stmt *Lowering::stmt(const c::Stmt *s) {
   if (!s || llvm::isa<c::NullStmt>(s)) {
     Stmt empty;
@@ -221,14 +247,23 @@ Stmt *Lowering::stmt(const c::Stmt *s) {
   }
   if (const auto *block = llvm::dyn_cast<c::CompoundStmt>(s)) {
     Stmt *n = node(Stmt::Block, s);
-    for (const c::Stmt *part : block->body()) {
-      if (const auto *decl = llvm::dyn_cast<c::DeclStmt>(part)) {
-        Stmt *several = declaration(decl);
-        n->body.insert(n->body.end(), several->body.begin(), several->body.end());
-      } else if (!llvm::isa<c::NullStmt>(part)) {
-        n->body.push_back(stmt(part));
-      }
-    }
+    for (const c::Stmt *part : block->body()) append(n, part);
+    return n;
+  }
+  if (llvm::isa<c::LabelStmt>(s) || llvm::isa<c::SwitchCase>(s)) { // as the only statement of a branch or loop
+    Stmt *n = node(Stmt::Block, s);
+    append(n, s);
+    return n;
+  }
+  if (const auto *choice = llvm::dyn_cast<c::SwitchStmt>(s)) {
+    Stmt *n = node(Stmt::Switch, s);
+    n->expr = expr(choice->getCond());
+    n->then = stmt(choice->getBody());
+    return n;
+  }
+  if (const auto *jump = llvm::dyn_cast<c::GotoStmt>(s)) {
+    Stmt *n = node(Stmt::Goto, s);
+    n->label = jump->getLabel()->getNameAsString();
     return n;
   }
   if (const auto *decl = llvm::dyn_cast<c::DeclStmt>(s)) return declaration(decl);

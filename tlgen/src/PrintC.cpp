@@ -106,6 +106,13 @@ long elements(const Type *type) {
   return n;
 }
 
+bool variableLength(const Type *type) { return type->kind == Type::Array && (type->length || variableLength(type->element)); }
+
+bool holdsNumbers(const Type *type) {
+  while (type->kind == Type::Array) type = type->element;
+  return type->kind != Type::Pointer;
+}
+
 long fieldOffset(const Record *record, const std::string &name) {
   long n = 0;
   for (const Field &field : record->fields) {

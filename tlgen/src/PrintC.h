@@ -34,12 +34,17 @@ std::string initializer(const Expr *e);
 // What stands for an item that an initialiser list of that type leaves out.
 std::string zeroItem(const Type *type, size_t i);
 
-// How many numbers an object of the type holds: 1, or those of all elements of an array or members of a struct.
+// How many numbers an object of the type holds: 1, or those of all elements of an array or members of a struct. Not for one of variable
+// length.
 long elements(const Type *type);
+bool variableLength(const Type *type);
 
 // How many numbers stand before a member of a struct, and whether all members are numbers, or arrays or structs of them.
 long fieldOffset(const Record *record, const std::string &field);
 bool allReal(const Type *type);
+
+// True for a number and for an array or struct: what a pointer in the output points to as jets. False for pointers and arrays of them.
+bool holdsNumbers(const Type *type);
 
 // A source line as it can stand inside a comment: without its own comments, no trailing backslash, tabs as blanks.
 std::string commentText(std::string text);

@@ -5,6 +5,7 @@
 #define TLGEN_PROGRAM_H
 
 #include <deque>
+#include <map>
 #include <set>
 #include <string>
 #include <vector>
@@ -26,7 +27,8 @@ struct Type {
   enum Kind { Void, Integer, Real, Pointer, Array, Struct } kind = Void;
   std::string name;              // Integer and Real: the C spelling
   const Type *element = nullptr; // Pointer, Array
-  long count = 0;                // Array: number of elements
+  long count = 0;                // Array: number of elements, 0 where length says it
+  const Expr *length = nullptr;  // Array of variable length
   const Record *record = nullptr;
   bool isConst = false;
 };
@@ -82,14 +84,16 @@ struct Expr {
 };
 
 struct Stmt {
-  enum Kind { Block, Declare, Evaluate, If, While, DoWhile, For, Break, Continue, Return } kind = Block;
+  // Case (expr null: default), Label and Goto stand between the statements of their Block.
+  enum Kind { Block, Declare, Evaluate, If, While, DoWhile, For, Switch, Case, Label, Goto, Break, Continue, Return } kind = Block;
   Loc loc;
   std::vector<Stmt *> body;            // Block
   const Variable *var = nullptr;       // Declare
-  Expr *expr = nullptr;                // Declare: initialiser; If and loops: condition; Evaluate; Return
+  Expr *expr = nullptr;                // Declare: initialiser; If, Switch and loops: condition; Evaluate; Return; Case: its value
+  std::string label;                   // Label, Goto
   Expr *step = nullptr;                // For
   Stmt *init = nullptr;                // For: a Block of declarations or an Evaluate
-  Stmt *then = nullptr, *otherwise = nullptr; // If; the loops keep their body in then
+  Stmt *then = nullptr, *otherwise = nullptr; // If; loops and Switch keep their body in then
 };
 
 struct Function {
@@ -124,6 +128,7 @@ struct Model {
   Count dof;
   std::vector<ModelFunction> functions;
   const Record *params = nullptr; // null where no function takes parameters
+  std::map<const Function *, Count> recursion; // how deep functions that call themselves may go
 };
 
 class Program {

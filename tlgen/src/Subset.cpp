@@ -20,10 +20,10 @@ const char *refusedType(QualType type) {
   if (type.isVolatileQualified()) return "volatile";
   if (type->isAtomicType()) return "atomic";
   if (type->isAnyComplexType()) return "complex";
-  if (type->isVariableArrayType()) return "vla";
   if (type->isSpecificBuiltinType(BuiltinType::LongDouble)) return "long-double";
   if (type->isFunctionPointerType()) return "function-pointer";
-  if (const auto *array = type->getAsArrayTypeUnsafe()) return isa<ConstantArrayType>(array) ? refusedType(array->getElementType()) : "type";
+  if (const auto *array = type->getAsArrayTypeUnsafe())
+    return isa<ConstantArrayType>(array) || isa<VariableArrayType>(array) ? refusedType(array->getElementType()) : "type";
   if (type->isPointerType()) return type->getPointeeType()->isVoidType() ? "type" : refusedType(type->getPointeeType());
   if (type->isUnionType()) return "union";
   if (const auto *record = type->getAs<RecordType>()) {
@@ -56,7 +56,24 @@ public:
     return true;
   }
 
+  // Which cases stand in their switch's own block, and which gotos go forward to a block they are in: before anything is visited.
+  bool TraverseCompoundStmt(CompoundStmt *block) {
+    blocks_.push_back(block);
+    bool good = RecursiveASTVisitor::TraverseCompoundStmt(block);
+    blocks_.pop_back();
+    return good;
+  }
+
+  bool VisitSwitchStmt(SwitchStmt *s) {
+    if (const auto *body = dyn_cast<CompoundStmt>(s->getBody()))
+      for (const Stmt *part : body->body())
+        for (const auto *choice = dyn_cast<SwitchCase>(part); choice; choice = dyn_cast<SwitchCase>(choice->getSubStmt()))
+          if (!isa<CaseStmt>(choice) || !cast<CaseStmt>(choice)->getRHS()) cases_.insert(choice);
+    return true;
+  }
+
   bool VisitStmt(Stmt *s) {
+    if (auto *jump = dyn_cast<GotoStmt>(s)) checkJump(jump);
     if (const char *id = refusedStmt(s)) report(id, s->getBeginLoc(), std::string("'") + spelling(s) + "'");
     return true;
   }
@@ -93,11 +110,13 @@ public:
 private:
   // The id of the message that refuses a statement or expression; null where it is accepted.
   const char *refusedStmt(const Stmt *s) const {
-    if (isa<GotoStmt>(s) || isa<IndirectGotoStmt>(s) || isa<LabelStmt>(s) || isa<AddrLabelExpr>(s)) return "goto";
-    if (isa<SwitchStmt>(s)) return "switch";
+    if (isa<IndirectGotoStmt>(s) || isa<AddrLabelExpr>(s)) return "goto";
+    if (const auto *jump = dyn_cast<GotoStmt>(s)) return jumps_.count(jump) ? nullptr : "goto";
+    if (const auto *choice = dyn_cast<SwitchCase>(s)) return cases_.count(choice) ? nullptr : "switch";
+    if (const auto *choice = dyn_cast<SwitchStmt>(s)) return isa<CompoundStmt>(choice->getBody()) ? nullptr : "switch";
+    if (isa<LabelStmt>(s)) return nullptr;
     if (isa<AsmStmt>(s)) return "asm";
     if (isa<VAArgExpr>(s)) return "variadic";
-    if (isa<SwitchCase>(s)) return nullptr; // its switch is reported
     if (isa<CompoundStmt>(s) || isa<DeclStmt>(s) || isa<IfStmt>(s) || isa<ForStmt>(s) || isa<WhileStmt>(s) || isa<DoStmt>(s) || isa<BreakStmt>(s) ||
         isa<ContinueStmt>(s) || isa<ReturnStmt>(s) || isa<NullStmt>(s))
       return nullptr;
@@ -109,6 +128,17 @@ private:
         isa<CompoundLiteralExpr>(s))
       return isa<Expr>(s) ? refusedValue(cast<Expr>(s)) : nullptr;
     return "unsupported";
+  }
+
+  // A goto is a way out where its label stands later, directly in a block that the goto is in.
+  void checkJump(const GotoStmt *jump) {
+    const SourceManager &sm = context_.getSourceManager();
+    const LabelStmt *label = jump->getLabel()->getStmt();
+    bool forward = label && sm.isBeforeInTranslationUnit(jump->getGotoLoc(), label->getIdentLoc());
+    for (const CompoundStmt *block : blocks_)
+      for (const Stmt *part : block->body())
+        for (const auto *l = dyn_cast<LabelStmt>(part); l; l = dyn_cast<LabelStmt>(l->getSubStmt()))
+          if (l == label && forward) jumps_.insert(jump);
   }
 
   static const char *refusedValue(const Expr *e) {
@@ -168,6 +198,9 @@ private:
   const ASTContext &context_;
   std::set<const FunctionDecl *> &callees_;
   std::set<const DeclRefExpr *> called_;
+  std::set<const SwitchCase *> cases_;
+  std::set<const GotoStmt *> jumps_;
+  std::vector<const CompoundStmt *> blocks_;
   std::set<const VarDecl *> visitedGlobals_;
 };
 
