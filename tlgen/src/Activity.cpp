@@ -149,9 +149,43 @@ private:
     if (checking_ && v_.active(s->var)) checkType(s->var->type, s->var->loc, "'" + s->var->name + "'");
     if (!s->expr) return;
     prepare(s->expr);
-    Place *p = find(v_.places[s->var]);
-    if (s->var->type->kind == Type::Pointer) unify(p->target, v_.target(s->expr), s->loc);
-    else if (v_.varied(s->expr)) activate(p, s->loc, "'" + s->var->name + "'");
+    give(v_.places[s->var], s->var->type, s->expr, s->loc, "'" + s->var->name + "'");
+  }
+
+  // The object of that type at dest receives the value of e: numbers make it active, pointers share what they point to.
+  void give(Place *dest, const Type *type, const Expr *e, const Loc &loc, const std::string &what) {
+    if (!e || !dest) return;
+    if (e->kind == Expr::InitList && type->kind == Type::Array) {
+      for (const Expr *item : e->args) give(dest, type->element, item, loc, what);
+    } else if (e->kind == Expr::InitList && type->kind == Type::Struct) {
+      for (size_t i = 0; i < e->args.size() && i < type->record->fields.size(); ++i) {
+        const Field &field = type->record->fields[i];
+        give(member(dest, field.name, field.type), field.type, e->args[i], loc, what);
+      }
+    } else if (type->kind == Type::Pointer) {
+      unify(find(dest)->target, v_.target(e), loc);
+    } else {
+      if (v_.varied(e)) activate(dest, loc, what);
+      if (type->kind == Type::Struct && v_.place(e)) shareMembers(find(dest), v_.place(e), type, loc);
+    }
+  }
+
+  void shareMembers(Place *a, Place *b, const Type *type, const Loc &loc) {
+    if (a == b) return;
+    for (const Field &field : type->record->fields)
+      if (throughField(field.type)) unify(find(member(a, field.name, field.type))->target, find(member(b, field.name, field.type))->target, loc);
+  }
+
+  // The place of a struct's member: its own for pointers, the struct's for numbers.
+  Place *member(Place *base, const std::string &name, const Type *type) {
+    base = find(base);
+    if (!throughField(type)) return base;
+    Place *&field = base->fields[name];
+    if (!field) {
+      field = activity_.makePlace(type);
+      inherit(field, base);
+    }
+    return field;
   }
 
   // Makes the storage that an expression names known, before it is asked for.
@@ -162,11 +196,7 @@ private:
     if (e->kind == Expr::InitList && e->text == "compound" && !v_.literals.count(e)) v_.literals[e] = activity_.makePlace(e->type);
     if (e->kind == Expr::Member) {
       Place *base = e->arrow ? v_.target(e->args[0]) : v_.place(e->args[0]);
-      if (base && throughField(e->type) && !base->fields.count(e->text)) {
-        Place *field = activity_.makePlace(e->type);
-        inherit(field, base);
-        base->fields[e->text] = field;
-      }
+      if (base) member(base, e->text, e->type);
     }
     if (e->kind == Expr::Conditional && e->type->kind == Type::Pointer) unify(v_.target(e->args[1]), v_.target(e->args[2]), e->loc);
   }
@@ -199,8 +229,8 @@ private:
     const Expr *lhs = e->args[0], *rhs = e->args[1];
     Place *p = v_.place(lhs);
     write(p, e->loc);
-    if (lhs->type->kind == Type::Pointer && e->text == "=") unify(p->target, v_.target(rhs), e->loc);
-    else if (lhs->type->kind != Type::Integer && v_.varied(rhs)) activate(p, e->loc, "this");
+    if (lhs->type->kind != Type::Integer && e->text == "=") give(p, lhs->type, rhs, e->loc, "this");
+    else if (lhs->type->kind == Type::Real && v_.varied(rhs)) activate(p, e->loc, "this");
   }
 
   void write(Place *p, const Loc &loc) {
@@ -263,30 +293,26 @@ private:
 
   // An active object must have a layout of jets.
   void checkType(const Type *type, const Loc &loc, const std::string &what) {
-    bool pointer = false;
-    for (; type->kind == Type::Pointer || type->kind == Type::Array; type = type->element) {
-      if (pointer && type->kind == Type::Pointer) return activity_.report("pointer-to-pointer", loc, what);
-      pointer |= type->kind == Type::Pointer || (type->kind == Type::Array && type->element->kind == Type::Pointer);
-    }
+    while (type->kind == Type::Pointer || type->kind == Type::Array) type = type->element;
     if (type->kind == Type::Struct && !allReal(type)) activity_.report("struct-active", loc, what + " of type '" + type->record->spelling + "'");
   }
 
-  // Pointers to active numbers live in variables only: what a struct, an array or another pointer keeps is not followed into calls,
-  // copies and lists.
+  // Pointers to active numbers live in variables and arrays only: what a struct keeps is not followed into calls.
   void checkKept(const Expr *e) {
     auto refuse = [&](const Expr *pointer) {
-      if (pointer->type->kind == Type::Pointer && v_.pointsToActive(pointer)) activity_.report("pointer-to-pointer", pointer->loc, "a pointer kept there");
+      if (pointer && pointer->type->kind == Type::Pointer && v_.pointsToActive(pointer)) activity_.report("pointer-in-struct", pointer->loc, "a pointer kept there");
     };
-    if (e->kind == Expr::InitList)
-      for (const Expr *item : e->args)
-        if (item) refuse(item);
-    if (e->kind == Expr::Assign && e->args[0]->kind != Expr::Ref) refuse(e->args[1]);
-    if (e->kind == Expr::Member || e->kind == Expr::Index || e->kind == Expr::Deref) refuse(e);
+    if (e->kind == Expr::InitList && e->type->kind == Type::Struct)
+      for (const Expr *item : e->args) refuse(item);
+    if (e->kind == Expr::Assign && e->args[0]->kind == Expr::Member) refuse(e->args[1]);
+    if (e->kind == Expr::Member) refuse(e);
   }
 
   // What only shows once the fixed point is reached.
   void check(const Expr *e) {
     checkKept(e);
+    bool follows = e->kind == Expr::Index || e->kind == Expr::Deref || (e->kind == Expr::Member && e->arrow);
+    if (follows && !v_.target(e->args[0])) activity_.report("unknown-pointer", e->loc, "pointer");
     bool toInteger = e->kind == Expr::Cast && e->type->kind == Type::Integer && e->type->name != "_Bool";
     if (toInteger && v_.varied(e->args[0])) activity_.report("active-integer", e->loc, "conversion to '" + e->type->name + "'");
     bool compound = e->kind == Expr::Assign && e->args[0]->type->kind == Type::Integer && v_.varied(e->args[1]);

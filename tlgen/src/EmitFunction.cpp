@@ -285,7 +285,9 @@ void FunctionEmitter::choose(const Stmt *s) {
 
 // A case; where the statement before it runs on into it, compilers want to be told that this is meant.
 void FunctionEmitter::choice(const Stmt *s, const Stmt *before) {
-  bool ends = !before || before->kind == Stmt::Case || before->kind == Stmt::Break || before->kind == Stmt::Return || before->kind == Stmt::Goto || before->kind == Stmt::Continue;
+  const Stmt *last = before;
+  while (last && last->kind == Stmt::Block && !last->body.empty()) last = last->body.back();
+  bool ends = !last || last->kind == Stmt::Case || last->kind == Stmt::Break || last->kind == Stmt::Return || last->kind == Stmt::Goto || last->kind == Stmt::Continue;
   if (!ends) line("/* fall through */");
   line(s->expr ? "case " + value(s->expr).s + ":" : "default:");
   quoted_ = {};

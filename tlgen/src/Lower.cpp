@@ -103,7 +103,7 @@ const Type *Lowering::type(c::QualType qt) {
     t.isConst = t.element->isConst;
   } else if (const auto *variable = context_->getAsVariableArrayType(qt)) {
     t.kind = Type::Array;
-    t.length = expr(variable->getSizeExpr());
+    if (variable->getSizeExpr()) t.length = expr(variable->getSizeExpr()); // none for [*], where nobody asks
     t.element = type(variable->getElementType());
     t.isConst = t.element->isConst;
   } else if (canonical->isPointerType()) {

@@ -42,6 +42,15 @@ const char *refusedType(QualType type) {
   return "type";
 }
 
+bool holdsPointer(QualType type) {
+  if (const auto *array = type->getAsArrayTypeUnsafe()) return holdsPointer(array->getElementType());
+  const auto *record = type->getAs<RecordType>();
+  if (!record || !record->getDecl()->getDefinition()) return type->isPointerType();
+  for (const FieldDecl *field : record->getDecl()->getDefinition()->fields())
+    if (holdsPointer(field->getType())) return true;
+  return false;
+}
+
 class Walker : public RecursiveASTVisitor<Walker> {
 public:
   Walker(const Source &source, const FunctionDecl *function, std::set<const FunctionDecl *> &callees)
@@ -153,9 +162,20 @@ private:
     case CK_IntegralToFloating: case CK_FloatingCast: case CK_FloatingToIntegral: case CK_IntegralToBoolean: case CK_FloatingToBoolean:
     case CK_ToVoid: case CK_BuiltinFnToFnPtr: return refusedValue(c);
     case CK_NullToPointer: case CK_PointerToBoolean: return "unsupported";
-    case CK_BitCast: case CK_IntegralToPointer: case CK_PointerToIntegral: return "pointer-cast";
+    case CK_BitCast: return sameNumbers(c->getType(), c->getSubExpr()->getType()) ? nullptr : "pointer-cast";
+    case CK_IntegralToPointer: case CK_PointerToIntegral: return "pointer-cast";
     default: return "unsupported";
     }
+  }
+
+  // Pointers to the same kind of number, whatever the shape of the arrays between: the layout of jets is the same.
+  static bool sameNumbers(QualType a, QualType b) {
+    auto number = [](QualType pointer) {
+      QualType t = pointer->isPointerType() ? pointer->getPointeeType() : pointer;
+      while (const auto *array = t->getAsArrayTypeUnsafe()) t = array->getElementType();
+      return t.getCanonicalType().getUnqualifiedType();
+    };
+    return number(a) == number(b) && number(a)->isArithmeticType();
   }
 
   static const char *refusedUnary(const UnaryOperator *op) {
@@ -234,6 +254,7 @@ private:
     if (f->isVariadic()) source_.report("variadic", f->getASTContext(), f->getLocation(), name);
     QualType result = f->getReturnType();
     if (result->isPointerType()) source_.report("return-pointer", f->getASTContext(), f->getLocation(), name);
+    else if (!result->isVoidType() && holdsPointer(result)) source_.report("return-pointer", f->getASTContext(), f->getLocation(), name);
     else if (!result->isVoidType())
       if (const char *id = refusedType(result)) source_.report(id, f->getASTContext(), f->getLocation(), name + " returns '" + result.getAsString() + "'");
   }

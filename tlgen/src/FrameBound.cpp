@@ -1,0 +1,103 @@
+// Frame bounds: the fixed part by the deepest chain of calls, arrays of variable length by the sum over all calls.
+#include "FrameBound.h"
+
+#include <algorithm>
+
+namespace tlgen {
+
+std::string Bound::text() const {
+  std::string s = fixed || terms.empty() ? std::to_string(fixed) : "";
+  for (const std::string &t : terms) s += (s.empty() ? "" : " + ") + t;
+  return s;
+}
+
+bool Bound::usesParams() const {
+  return std::any_of(terms.begin(), terms.end(), [](const std::string &t) { return t.find("p->") != std::string::npos; });
+}
+
+Bound FrameBound::of(const Variant *root, const std::vector<ArgRole> &args) {
+  Environment env;
+  for (size_t i = 0; i < args.size(); ++i)
+    if (args[i] == ArgRole::Params) env[root->function->params[i]] = "p";
+  return bound(root, env);
+}
+
+// The text of an expression in the model's parameters; false where it depends on anything else.
+bool FrameBound::expand(const Expr *e, const Environment &env, const Frame &frame, std::string &text) const {
+  std::string a, b;
+  switch (e->kind) {
+  case Expr::Literal: return text = e->text, true;
+  case Expr::Ref: {
+    auto known = env.find(e->var);
+    if (known != env.end()) return text = known->second, true;
+    auto constant = frame.constants.find(e->var);
+    return constant != frame.constants.end() && constant->second->kind != Expr::InitList && expand(constant->second, env, frame, text);
+  }
+  case Expr::Member:
+    if (!expand(e->args[0], env, frame, a)) return false;
+    return text = a + (e->arrow ? "->" : ".") + e->text, true;
+  case Expr::AddressOf:
+    if (!expand(e->args[0], env, frame, a)) return false;
+    return text = "(&" + a + ")", true;
+  case Expr::Cast:
+    if (!expand(e->args[0], env, frame, a)) return false;
+    return text = "(" + declaration(e->type, "") + ")" + a, true;
+  case Expr::Unary:
+    if (!expand(e->args[0], env, frame, a)) return false;
+    return text = "(" + e->text + a + ")", true;
+  case Expr::Binary:
+    if (!expand(e->args[0], env, frame, a) || !expand(e->args[1], env, frame, b)) return false;
+    return text = "(" + a + " " + e->text + " " + b + ")", true;
+  default: return false;
+  }
+}
+
+bool FrameBound::expandLength(const Type *type, const Environment &env, const Frame &frame, std::string &text) const {
+  text.clear();
+  long fixed = 1;
+  for (; variableLength(type); type = type->element) {
+    std::string length;
+    if (!type->length) fixed *= type->count;
+    else if (!expand(type->length, env, frame, length)) return false;
+    else text += (text.empty() ? "" : "*") + std::string("(size_t)(") + length + ")";
+  }
+  fixed *= elements(type);
+  if (fixed != 1) text = std::to_string(fixed) + "*" + text;
+  return true;
+}
+
+Bound FrameBound::bound(const Variant *v, const Environment &env) {
+  const Frame &frame = emitted_.frames.at(v);
+  Bound total;
+  total.fixed = frame.fixed;
+  if (std::find(stack_.begin(), stack_.end(), v) != stack_.end()) return {}; // counted by its recursion's depth
+  stack_.push_back(v);
+  for (const Variable *array : frame.arrays) {
+    std::string term;
+    if (expandLength(array->type, env, frame, term)) total.terms.push_back(term);
+    else diags_.add("vla", paths_[static_cast<size_t>(array->loc.file)], array->loc.line, array->loc.column, "'" + array->name + "'");
+  }
+  long deepest = 0;
+  for (const auto &call : frame.calls) {
+    Environment inner;
+    for (size_t i = 0; i < call.first->args.size(); ++i) {
+      std::string text;
+      if (expand(call.first->args[i], env, frame, text)) inner[call.second->function->params[i]] = text;
+    }
+    Bound callee = bound(call.second, inner);
+    deepest = std::max(deepest, callee.fixed);
+    for (const std::string &t : callee.terms)
+      if (std::find(total.terms.begin(), total.terms.end(), t) == total.terms.end()) total.terms.push_back(t);
+  }
+  total.fixed += deepest;
+  stack_.pop_back();
+  auto depth = model_.recursion.find(v->function);
+  if (depth != model_.recursion.end()) { // each level may take all of it
+    std::string levels = depth->second.member.empty() ? std::to_string(depth->second.value) : "(size_t)p->" + depth->second.member;
+    if (depth->second.member.empty() && total.terms.empty()) total.fixed *= depth->second.value;
+    else total = {0, {levels + "*(" + total.text() + ")"}};
+  }
+  return total;
+}
+
+} // namespace tlgen
