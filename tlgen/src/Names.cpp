@@ -13,7 +13,7 @@ bool endsWith(const std::string &s, const std::string &ending) {
 
 // Names inside a printed function, and those of the headers it includes.
 bool reservedInside(const std::string &name) {
-  static const std::set<std::string> own = {"cx", "nc", "frame", "result"};
+  static const std::set<std::string> own = {"cx", "nc", "frame", "mark", "result"};
   bool temporary = startsWith(name, "tmp") && name.size() > 3 && name.find_first_not_of("0123456789", 3) == std::string::npos;
   return own.count(name) || temporary || startsWith(name, "tl_") || startsWith(name, "eom_");
 }
