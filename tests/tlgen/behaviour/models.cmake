@@ -27,3 +27,6 @@ add_behaviour(two_files HELPERS other_file FILES two_files_helper.c DOF 1 LAGRAN
 add_behaviour(passive DOF n LAGRANGIAN "out[0] = lagrangian(q, &params)" FORCE "push(q, qd, out)" HOLONOMIC "2: fixed(q, out)"
   NONHOLONOMIC "out[0] = zero(qd)" PARAMS "&params")
 add_behaviour(literals DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
+add_behaviour(pointer_arrays DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd)")
+add_behaviour(jumps DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd)")
+add_behaviour(variable_length DOF n LAGRANGIAN "out[0] = lagrangian(q, qd, &params)" PARAMS "&params")

@@ -6,9 +6,9 @@ double L(const double *q)
 again:                                     /* expect: goto */
   s += q[i];
   if (++i < 2) goto again;                 /* expect: goto */
-  switch (i) {                             /* expect: switch */
+  switch (i) {
   case 0: s += 1.0; break;
-  default: s += 2.0;
+  default: if (s > 0) { case 1: s += 2.0; } /* expect: switch */
   }
   __asm__("nop");                          /* expect: asm unsupported */
   s += _Generic(s, double: 1.0, int: 2.0); /* expect: unsupported */

@@ -1,0 +1,20 @@
+/* Pointers behind pointers: arrays of them, a walk through an address, rows that change places. */
+static void next(const double **p) { ++*p; }
+
+static void exchange(double **a, double **b) {
+  double *keep = *a;
+  *a = *b;
+  *b = keep;
+}
+
+double lagrangian(const double *q, const double *qd) {
+  const double *rows[2] = {q, qd}, *walk = q, **at = &walk;
+  double even[2] = {0, 1}, odd[2] = {2, 3}, *pair[2] = {even, odd};
+  double s = 0;
+  for (int i = 0; i < 4; i++) s += rows[i % 2][i / 2] * (i + 1);
+  next(at);
+  even[0] = walk[0] * qd[0];
+  exchange(&pair[0], &pair[1]);
+  pair[0][1] = s;
+  return pair[1][0] * pair[0][1] + even[1] * **at + odd[0];
+}
