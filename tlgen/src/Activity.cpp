@@ -3,6 +3,7 @@
 #include "PrintC.h"
 
 #include <cassert>
+#include <cstdlib>
 #include <functional>
 #include <set>
 
@@ -312,7 +313,7 @@ private:
   void check(const Expr *e) {
     checkKept(e);
     bool follows = e->kind == Expr::Index || e->kind == Expr::Deref || (e->kind == Expr::Member && e->arrow);
-    if (follows && !v_.target(e->args[0])) activity_.report("unknown-pointer", e->loc, "pointer");
+    if (follows && !v_.target(e->args[0])) std::abort(); // a pointer from nowhere: Subset refuses what could make one
     bool toInteger = e->kind == Expr::Cast && e->type->kind == Type::Integer && e->type->name != "_Bool";
     if (toInteger && v_.varied(e->args[0])) activity_.report("active-integer", e->loc, "conversion to '" + e->type->name + "'");
     bool compound = e->kind == Expr::Assign && e->args[0]->type->kind == Type::Integer && v_.varied(e->args[1]);

@@ -3,7 +3,7 @@ double L(const double *q)
 {
   double s = 0.0;
   int i = 0;
-again:                                     /* expect: goto */
+again:
   s += q[i];
   if (++i < 2) goto again;                 /* expect: goto */
   switch (i) {

@@ -9,8 +9,7 @@ double L(const double *q, const double *qd)
   union bits c;                    /* expect: union */
   double complex d = 1.0;          /* expect: complex unsupported */
   long double e = q[0];            /* expect: long-double */
-  int n = 3 + (q[0] > 0);
-  double f[n];                     /* expect: vla */
+  int n = 3;
   struct flags g = {1};            /* expect: type */
   void *h;                         /* expect: type */
   float k = q[0];
