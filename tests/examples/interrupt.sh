@@ -1,8 +1,9 @@
 #!/usr/bin/env bash
 # interrupt.sh PROGRAM OPTION..: Ctrl-C during a long run keeps the whole rows there are, says so and exits with status 130.
 . "$(dirname "$0")/expect.sh"
+# A program that does not heed Ctrl-C is ended by timeout, which hands the signal on.
 set -m # or the shell starts background programs with Ctrl-C ignored
-"$@" --csv run.csv >scratch/out.txt 2>scratch/err.txt </dev/null &
+timeout -s KILL 100 "$@" --csv run.csv >scratch/out.txt 2>scratch/err.txt </dev/null &
 id=$!
 for _ in $(seq 200); do
   compgen -G 'run.csv.*' >/dev/null && break
