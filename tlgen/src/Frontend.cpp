@@ -53,8 +53,14 @@ tooling::ArgumentsAdjuster ownArguments(const Options &o) {
   return adjuster;
 }
 
+// The key of the source manager's table is a pointer up to LLVM 17.
+template <class Entry> std::string fileName(const Entry &entry) {
+  if constexpr (std::is_pointer_v<Entry>) return entry->getName().str();
+  else return entry.getName().str();
+}
+
 void collectFiles(const clang::SourceManager &sm, std::set<std::string> &files) {
-  for (auto it = sm.fileinfo_begin(); it != sm.fileinfo_end(); ++it) files.insert(it->first.getName().str());
+  for (auto it = sm.fileinfo_begin(); it != sm.fileinfo_end(); ++it) files.insert(fileName(it->first));
 }
 
 } // namespace
