@@ -1,11 +1,11 @@
 # taylor_add_model(TARGET SOURCES file.. [MODEL name] [DOF n|member] [LAGRANGIAN f] [FORCE f] [HOLONOMIC f[:rows]..]
-#                  [NONHOLONOMIC f[:rows]..] [ARGS role=name..] [INCLUDE_DIRECTORIES dir..] [COMPILE_DEFINITIONS def..])
+#                  [NONHOLONOMIC f[:rows]..] [ARGS role=name..] [RECURSION f:depth..] [INCLUDE_DIRECTORIES dir..] [COMPILE_DEFINITIONS def..])
 #
 # Runs tlgen over plain C sources and makes a static library TARGET of the result. Programs that link it include <MODEL>_tl.h, which
 # declares <MODEL>_model; MODEL is TARGET's name where it is not given. A change in a source or a header that it includes runs tlgen again.
 function(taylor_add_model target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "MODEL;DOF;LAGRANGIAN;FORCE"
-    "SOURCES;HOLONOMIC;NONHOLONOMIC;ARGS;INCLUDE_DIRECTORIES;COMPILE_DEFINITIONS")
+    "SOURCES;HOLONOMIC;NONHOLONOMIC;ARGS;RECURSION;INCLUDE_DIRECTORIES;COMPILE_DEFINITIONS")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "taylor_add_model(${target}): unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -17,7 +17,7 @@ function(taylor_add_model target)
   endif()
 
   set(options --model ${arg_MODEL})
-  foreach(key IN ITEMS DOF LAGRANGIAN FORCE HOLONOMIC NONHOLONOMIC)
+  foreach(key IN ITEMS DOF LAGRANGIAN FORCE HOLONOMIC NONHOLONOMIC RECURSION)
     string(TOLOWER ${key} name)
     foreach(value IN LISTS arg_${key})
       list(APPEND options --${name} ${value})

@@ -329,7 +329,10 @@ private:
 Activity::Activity(const Model &model, Diagnostics &diags, const std::vector<std::string> &paths) : diags_(diags), paths_(paths) {
   for (const ModelFunction &f : model.functions) {
     std::string signature;
-    for (ArgRole role : f.args) signature += role == ArgRole::Params ? 'c' : role == ArgRole::Out || role == ArgRole::T ? 'a' : 'i';
+    for (const Arg &arg : f.args) {
+      bool array = (arg.role == ArgRole::Q || arg.role == ArgRole::Qd) && arg.index < 0;
+      signature += arg.role == ArgRole::Params ? 'c' : array ? 'i' : 'a';
+    }
     roots_.push_back(variant(f.function, signature));
   }
   for (bool changed = true; changed;) {

@@ -15,8 +15,13 @@ public:
 
   EmittedModel run(const std::string &headerName) {
     nameVariants();
-    std::string functions;
-    for (const Variant *v : activity_.variants()) functions += banner(*v) + FunctionEmitter(program_, *v, emitted_).run() + "\n";
+    std::string functions, prototypes;
+    for (const Variant *v : activity_.variants()) {
+      std::string text = FunctionEmitter(program_, *v, emitted_).run();
+      if (!model_.recursion.empty()) prototypes += text.substr(0, text.find("\n{")) + ";\n";
+      functions += banner(*v) + text + "\n";
+    }
+    if (!prototypes.empty()) functions = prototypes + "\n" + functions;
     EmittedModel out;
     out.header = header();
     out.source = title(".") + "#include \"" + headerName + "\"\n\n#include \"taylor/taylor.h\"\n\n" + records(false) + tables() + functions + adapters() + description();
@@ -100,14 +105,18 @@ private:
     const Variant *v = activity_.roots()[i];
     std::string args = "cx", unused;
     if (find(v->result)->active) args += ", out";
-    bool used[5] = {};
+    bool used[5] = {}, several = false;
     for (size_t k = 0; k < f.args.size(); ++k) {
       static const char *const names[] = {"q", "qd", "t", "params", "out"};
       const Variable *param = f.function->params[k];
-      bool cast = (f.args[k] == ArgRole::Q || f.args[k] == ArgRole::Qd) && !param->type->element->isConst;
-      args += std::string(", ") + (cast ? "(tl_real *)" : "") + names[static_cast<int>(f.args[k])];
-      used[static_cast<int>(f.args[k])] = true;
+      Arg arg = f.args[k];
+      bool array = (arg.role == ArgRole::Q || arg.role == ArgRole::Qd) && arg.index < 0;
+      args += std::string(", ") + (array && !param->type->element->isConst ? "(tl_real *)" : "") + names[static_cast<int>(arg.role)];
+      if (arg.index > 0) args += arg.index == 1 ? " + nc" : " + " + std::to_string(arg.index) + "*nc";
+      several |= arg.index > 0;
+      used[static_cast<int>(arg.role)] = true;
     }
+    if (several) unused = "  const ptrdiff_t nc = cx->shape->ncoef;\n";
     if (!used[0]) unused += "  (void)q;\n";
     if (!used[1]) unused += "  (void)qd;\n";
     if (!used[2]) unused += "  (void)t;\n";

@@ -15,10 +15,10 @@ bool Bound::usesParams() const {
   return std::any_of(terms.begin(), terms.end(), [](const std::string &t) { return t.find("p->") != std::string::npos; });
 }
 
-Bound FrameBound::of(const Variant *root, const std::vector<ArgRole> &args) {
+Bound FrameBound::of(const Variant *root, const std::vector<Arg> &args) {
   Environment env;
   for (size_t i = 0; i < args.size(); ++i)
-    if (args[i] == ArgRole::Params) env[root->function->params[i]] = "p";
+    if (args[i].role == ArgRole::Params) env[root->function->params[i]] = "p";
   return bound(root, env);
 }
 
@@ -92,9 +92,11 @@ Bound FrameBound::bound(const Variant *v, const Environment &env) {
   total.fixed += deepest;
   stack_.pop_back();
   auto depth = model_.recursion.find(v->function);
-  if (depth != model_.recursion.end()) { // each level may take all of it
-    std::string levels = depth->second.member.empty() ? std::to_string(depth->second.value) : "(size_t)p->" + depth->second.member;
-    if (depth->second.member.empty() && total.terms.empty()) total.fixed *= depth->second.value;
+  bool empty = total.fixed == 0 && total.terms.empty();
+  if (depth != model_.recursion.end() && !empty) { // the first call and each one inside it may take all of it
+    const Count &deep = depth->second;
+    std::string levels = deep.member.empty() ? std::to_string(deep.value + 1) : "((size_t)p->" + deep.member + " + 1)";
+    if (deep.member.empty() && total.terms.empty()) total.fixed *= deep.value + 1;
     else total = {0, {levels + "*(" + total.text() + ")"}};
   }
   return total;

@@ -20,7 +20,7 @@ public:
       : emitted_(emitted), model_(model), diags_(diags), paths_(paths) {}
 
   // For a model function; its parameter struct is called p in the terms. Lengths that do not follow from it are reported.
-  Bound of(const Variant *root, const std::vector<ArgRole> &args);
+  Bound of(const Variant *root, const std::vector<Arg> &args);
 
 private:
   using Environment = std::map<const Variable *, std::string>; // what integer arguments are, in terms of p

@@ -429,6 +429,8 @@ void lower(const Source &source, const Match &match, const std::vector<const c::
   model.name = modelName;
   model.dof = match.dof;
   if (match.params) model.params = lowering.record(match.params);
+  for (const auto &r : match.recursion)
+    if (Function *f = lowering.functionOf(r.first)) model.recursion[f] = r.second;
   for (const Matched &m : match.functions) model.functions.push_back({m.role, lowering.functionOf(m.function), m.args, m.rows});
 }
 

@@ -4,6 +4,8 @@
 #include "clang/AST/ASTContext.h"
 #include "clang/AST/Attr.h"
 
+#include <algorithm>
+
 namespace tlgen {
 namespace {
 
@@ -25,15 +27,15 @@ bool parseRole(const std::string &text, ArgRole &role) {
   return false;
 }
 
-bool isDoublePointer(clang::QualType type) {
-  return type->isPointerType() && type->getPointeeType()->isSpecificBuiltinType(clang::BuiltinType::Double);
-}
+bool isDouble(clang::QualType type) { return type->isSpecificBuiltinType(clang::BuiltinType::Double); }
+
+bool isDoublePointer(clang::QualType type) { return type->isPointerType() && isDouble(type->getPointeeType()); }
 
 bool fitsRole(const clang::ParmVarDecl *param, ArgRole role) {
   clang::QualType type = param->getType();
   switch (role) {
   case ArgRole::Q:
-  case ArgRole::Qd: return isDoublePointer(type);
+  case ArgRole::Qd: return isDoublePointer(type) || isDouble(type);
   case ArgRole::Out: return isDoublePointer(type) && !type->getPointeeType().isConstQualified();
   case ArgRole::T: return type->isSpecificBuiltinType(clang::BuiltinType::Double);
   case ArgRole::Params: return type->isPointerType() && type->getPointeeType()->isStructureType();
@@ -54,6 +56,12 @@ public:
     std::stable_sort(match_.functions.begin(), match_.functions.end(), [](const Matched &a, const Matched &b) { return a.role < b.role; });
     checkLagrangian();
     match_.dof = count(options_.dof, options_.dof.empty() ? "no-dof" : "bad-dof", "--dof " + options_.dof);
+    for (const FunctionOption &f : options_.recursion) {
+      if (const clang::FunctionDecl *function = source_.find(f.name)) match_.recursion[function] = count(f.rows, "bad-depth", "--recursion " + f.name + ":" + f.rows);
+      else diags_.add("no-function", options_.sources[0], 0, 0, "'" + f.name + "'");
+    }
+    if (match_.dof.value > 0 || !match_.dof.member.empty())
+      for (const Matched &m : match_.functions) checkCount(m);
     return match_;
   }
 
@@ -81,7 +89,7 @@ private:
     for (const Matched &m : match_.functions)
       if (m.role == role && m.function == function) return; // named and marked
     Matched m{role, function, {}, {}};
-    for (const clang::ParmVarDecl *param : function->parameters()) m.args.push_back(argRole(param));
+    for (const clang::ParmVarDecl *param : function->parameters()) addArg(m, param);
     checkArgs(m);
     takeParams(m);
     if (role == Role::Holonomic || role == Role::Nonholonomic)
@@ -93,22 +101,35 @@ private:
     match_.functions.push_back(m);
   }
 
-  ArgRole argRole(const clang::ParmVarDecl *param) {
-    ArgRole role = ArgRole::Q;
+  void addArg(Matched &m, const clang::ParmVarDecl *param) {
+    Arg arg{ArgRole::Q, -1};
     std::string name = param->getNameAsString(), text = markOf(param);
     auto option = options_.args.find(name);
-    if (option != options_.args.end()) text = option->second;
+    if (option != options_.args.end()) text = option->second.role;
     if (text.empty()) text = name;
-    if (!parseRole(text, role)) fault("role-unknown", param, "parameter '" + name + "'");
-    else if (!fitsRole(param, role)) fault("role-type", param, "parameter '" + name + "' of type '" + param->getType().getAsString() + "'");
-    return role;
+    if (!parseRole(text, arg.role)) fault("role-unknown", param, "parameter '" + name + "'");
+    else if (!fitsRole(param, arg.role)) fault("role-type", param, "parameter '" + name + "' of type '" + param->getType().getAsString() + "'");
+    bool coordinate = (arg.role == ArgRole::Q || arg.role == ArgRole::Qd) && isDouble(param->getType());
+    auto sameRole = [&](const Arg &a) { return a.role == arg.role; };
+    if (coordinate) arg.index = option != options_.args.end() ? option->second.index : static_cast<int>(std::count_if(m.args.begin(), m.args.end(), sameRole));
+    m.args.push_back(arg);
+  }
+
+  // Coordinates that are passed one by one must be as many as the model has.
+  void checkCount(const Matched &m) {
+    for (ArgRole role : {ArgRole::Q, ArgRole::Qd}) {
+      long count = std::count_if(m.args.begin(), m.args.end(), [&](const Arg &a) { return a.role == role && a.index >= 0; });
+      if (count > 0 && !(match_.dof.member.empty() && match_.dof.value == count))
+        fault("bad-dof", m.function, "'" + m.function->getNameAsString() + "' takes " + std::to_string(count) + (role == ArgRole::Q ? " coordinates" : " velocities"));
+    }
   }
 
   void checkArgs(const Matched &m) {
     bool seen[5] = {};
     for (size_t i = 0; i < m.args.size(); ++i) {
-      bool &s = seen[static_cast<int>(m.args[i])];
-      if (s) fault("role-twice", m.function->getParamDecl(static_cast<unsigned>(i)), "parameter '" + m.function->getParamDecl(static_cast<unsigned>(i))->getNameAsString() + "'");
+      bool &s = seen[static_cast<int>(m.args[i].role)];
+      bool twice = std::any_of(m.args.begin(), m.args.begin() + static_cast<long>(i), [&](const Arg &a) { return a.role == m.args[i].role && (a.index < 0 || a.index == m.args[i].index); });
+      if (twice || (s && m.args[i].index < 0)) fault("role-twice", m.function->getParamDecl(static_cast<unsigned>(i)), "parameter '" + m.function->getParamDecl(static_cast<unsigned>(i))->getNameAsString() + "'");
       s = true;
     }
     bool returns = m.function->getReturnType()->isSpecificBuiltinType(clang::BuiltinType::Double);
@@ -124,7 +145,7 @@ private:
   void takeParams(const Matched &m) {
     for (size_t i = 0; i < m.args.size(); ++i) {
       const clang::ParmVarDecl *param = m.function->getParamDecl(static_cast<unsigned>(i));
-      if (m.args[i] != ArgRole::Params || !fitsRole(param, ArgRole::Params)) continue;
+      if (m.args[i].role != ArgRole::Params || !fitsRole(param, ArgRole::Params)) continue;
       const clang::RecordDecl *record = param->getType()->getPointeeType()->getAsStructureType()->getDecl()->getDefinition();
       if (!record) return fault("role-type", param, "parameter '" + param->getNameAsString() + "' of an incomplete struct");
       if (!match_.params) match_.params = record;

@@ -10,7 +10,7 @@ namespace tlgen {
 struct Matched {
   Role role;
   const clang::FunctionDecl *function;
-  std::vector<ArgRole> args; // one per parameter
+  std::vector<Arg> args; // one per parameter
   Count rows;                // forces: left to the number of coordinates
 };
 
@@ -18,6 +18,7 @@ struct Match {
   Count dof;
   std::vector<Matched> functions;                // Lagrangian first, then force, holonomic and nonholonomic in the order given
   const clang::RecordDecl *params = nullptr;
+  std::map<const clang::FunctionDecl *, Count> recursion; // how deep helpers that call themselves may go
 };
 
 // Reports what is missing or contradictory; the result is whole only where diags has no error afterwards.

@@ -3,6 +3,7 @@
 #include "Diagnostics.h"
 
 #include <iostream>
+#include <sstream>
 
 namespace tlgen {
 namespace {
@@ -19,9 +20,11 @@ Model
   --nonholonomic NAME[:M]  a constraint function psi(q,qd,t) = 0; may be repeated
   --force NAME           the generalized force (one row per coordinate)
   --dof N                the number of coordinates: a constant, or the name of an integer member of the parameter struct
+  --recursion NAME:D     the helper function NAME may call itself, at most D deep (a constant or a member); may be repeated
   --model NAME           name of the model (default: the first source's name without its ending)
   --arg ROLE=NAME        a parameter called NAME has this role: q, qd, t, p (parameter struct) or out.
-                         Parameters with those very names need no option.
+                         Parameters with those very names need no option. Coordinates that are passed one by one are
+                         listed: --arg q=x,y --arg qd=xd,yd for L(double x, double y, double xd, double yd)
   M may be a constant (default 1) or the name of an integer member of the parameter struct. Functions can also be marked in the
   source: TLGEN(lagrangian), TLGEN(holonomic:3), and TLGEN(q) on a parameter, with the macro of <taylor/tlgen.h>.
 
@@ -57,8 +60,12 @@ bool addArg(Options &o, const std::string &text) {
   std::string role = text.substr(0, eq);
   if (role != "q" && role != "qd" && role != "t" && role != "p" && role != "out")
     return usageError("--arg: '" + role + "' is no role; the roles are q, qd, t, p and out");
-  if (!o.args.emplace(text.substr(eq + 1), role).second)
-    return usageError("--arg: the parameter '" + text.substr(eq + 1) + "' has two roles");
+  std::istringstream names(text.substr(eq + 1));
+  int index = 0;
+  for (std::string name; std::getline(names, name, ','); ++index) {
+    if (name.empty()) return usageError("--arg: a name is empty in '" + text + "'");
+    if (!o.args.emplace(name, ArgOption{role, index}).second) return usageError("--arg: the parameter '" + name + "' has two roles");
+  }
   return true;
 }
 
@@ -78,6 +85,7 @@ bool setOption(Options &o, const std::string &name, const std::string &value) {
   if (name == "-p") return setOnce(o.compileCommands, name, value);
   if (name == "--arg") return addArg(o, value);
   if (name == "--holonomic") return o.holonomic.push_back(splitRows(value)), true;
+  if (name == "--recursion") return o.recursion.push_back(splitRows(value)), true;
   if (name == "--nonholonomic") return o.nonholonomic.push_back(splitRows(value)), true;
   return usageError("unknown option '" + name + "'");
 }

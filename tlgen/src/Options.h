@@ -13,12 +13,18 @@ struct FunctionOption {
   std::string rows; // after the colon; empty where not said
 };
 
+struct ArgOption {
+  std::string role;
+  int index; // place in a list of names
+};
+
 struct Options {
   std::vector<std::string> sources;
   std::string model, dof, output, compileCommands;
   std::string lagrangian, force;
   std::vector<FunctionOption> holonomic, nonholonomic;
-  std::map<std::string, std::string> args; // parameter name -> role
+  std::vector<FunctionOption> recursion; // rows: the depth
+  std::map<std::string, ArgOption> args; // by parameter name
   std::vector<std::string> compilerArgs;   // after --
   bool depfile = false;
 };

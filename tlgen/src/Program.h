@@ -110,6 +110,12 @@ enum class Role { Lagrangian, Force, Holonomic, Nonholonomic };
 // What a parameter of such a function is.
 enum class ArgRole { Q, Qd, T, Params, Out };
 
+// One parameter: an array of coordinates, or the single coordinate number index (from 0).
+struct Arg {
+  ArgRole role;
+  int index = -1; // -1: all of them, and for other roles
+};
+
 // A count that is a constant or an integer member of the parameter struct.
 struct Count {
   long value = 0;
@@ -119,7 +125,7 @@ struct Count {
 struct ModelFunction {
   Role role;
   Function *function = nullptr;
-  std::vector<ArgRole> args; // one per parameter
+  std::vector<Arg> args; // one per parameter
   Count rows;
 };
 

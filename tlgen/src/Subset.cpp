@@ -226,13 +226,18 @@ private:
 
 class Subset {
 public:
-  explicit Subset(const Source &source) : source_(source) {}
+  Subset(const Source &source, const Match &match) : source_(source), match_(match) {}
 
   // Depth first, so that callees come before callers and a cycle meets itself on the stack.
   void visit(const FunctionDecl *function) {
     if (done_.count(function)) return;
-    if (!onStack_.insert(function).second)
-      return source_.report("recursion", function->getASTContext(), function->getLocation(), "'" + function->getNameAsString() + "'");
+    auto cycle = std::find(stack_.begin(), stack_.end(), function);
+    if (cycle != stack_.end()) {
+      bool bounded = std::any_of(cycle, stack_.end(), [&](const FunctionDecl *f) { return match_.recursion.count(f) > 0; });
+      if (!bounded) source_.report("recursion", function->getASTContext(), function->getLocation(), "'" + function->getNameAsString() + "'");
+      return;
+    }
+    stack_.push_back(function);
     checkSignature(function);
     std::set<const FunctionDecl *> callees;
     Walker walker(source_, function, callees);
@@ -241,7 +246,7 @@ public:
     std::vector<const FunctionDecl *> ordered(callees.begin(), callees.end());
     std::sort(ordered.begin(), ordered.end(), [](const FunctionDecl *a, const FunctionDecl *b) { return a->getNameAsString() < b->getNameAsString(); });
     for (const FunctionDecl *callee : ordered) visit(callee);
-    onStack_.erase(function);
+    stack_.pop_back();
     done_.insert(function);
     order.push_back(function);
   }
@@ -260,7 +265,9 @@ private:
   }
 
   const Source &source_;
-  std::set<const FunctionDecl *> done_, onStack_;
+  const Match &match_;
+  std::set<const FunctionDecl *> done_;
+  std::vector<const FunctionDecl *> stack_;
 };
 
 } // namespace
@@ -271,7 +278,7 @@ const MathFunction *mathCallee(const clang::FunctionDecl *callee, const Source &
 }
 
 std::vector<const clang::FunctionDecl *> checkSubset(const Source &source, const Match &match) {
-  Subset subset(source);
+  Subset subset(source, match);
   for (const Matched &m : match.functions) subset.visit(m.function);
   return subset.order;
 }

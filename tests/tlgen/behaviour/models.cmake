@@ -30,3 +30,6 @@ add_behaviour(literals DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
 add_behaviour(pointer_arrays DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd)")
 add_behaviour(jumps DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd)")
 add_behaviour(variable_length DOF n LAGRANGIAN "out[0] = lagrangian(q, qd, &params)" PARAMS "&params")
+add_behaviour(scalars DOF 2 LAGRANGIAN "out[0] = lagrangian(qd[0], q[0], q[1], qd[1], t)" FORCE "push(q[0], q[1], out)"
+  ARGS q=x,y qd=xd,yd)
+add_behaviour(recursive DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, &params)" PARAMS "&params" RECURSION branch:depth even:6)
