@@ -39,7 +39,8 @@ Place *Variant::place(const Expr *e) const {
     return it == places.end() ? nullptr : find(it->second);
   }
   case Expr::Index:
-  case Expr::Deref: return target(e->args[0]);
+  case Expr::Deref:
+    return target(e->args[0]);
   case Expr::Member: {
     Place *base = e->arrow ? target(e->args[0]) : place(e->args[0]);
     if (!base || !throughField(e->type)) return base;
@@ -47,23 +48,30 @@ Place *Variant::place(const Expr *e) const {
     return it == base->fields.end() ? nullptr : find(it->second);
   }
   case Expr::Assign:
-  case Expr::Step: return place(e->args[0]);
+  case Expr::Step:
+    return place(e->args[0]);
   case Expr::InitList: {
     auto it = literals.find(e);
     return it == literals.end() ? nullptr : find(it->second);
   }
-  default: return nullptr;
+  default:
+    return nullptr;
   }
 }
 
 Place *Variant::target(const Expr *e) const {
   switch (e->kind) {
   case Expr::Decay:
-  case Expr::AddressOf: return place(e->args[0]);
-  case Expr::Binary: return target(e->args[e->args[0]->type->kind == Type::Pointer ? 0 : 1]);
-  case Expr::Conditional: return target(e->args[1]);
-  case Expr::Comma: return target(e->args[1]);
-  case Expr::Cast: return target(e->args[0]);
+  case Expr::AddressOf:
+    return place(e->args[0]);
+  case Expr::Binary:
+    return target(e->args[e->args[0]->type->kind == Type::Pointer ? 0 : 1]);
+  case Expr::Conditional:
+    return target(e->args[1]);
+  case Expr::Comma:
+    return target(e->args[1]);
+  case Expr::Cast:
+    return target(e->args[0]);
   default: {
     Place *p = place(e);
     return p && p->target ? find(p->target) : nullptr;
@@ -89,13 +97,16 @@ bool Variant::varied(const Expr *e) const {
   }
   if (e->type->kind != Type::Real && e->type->kind != Type::Struct) return false;
   switch (e->kind) {
-  case Expr::Literal: return false;
+  case Expr::Literal:
+    return false;
   case Expr::Call: {
     auto it = callees.find(e);
     return it != callees.end() && find(it->second->result)->active;
   }
-  case Expr::Conditional: return varied(e->args[1]) || varied(e->args[2]);
-  case Expr::Comma: return varied(e->args[1]);
+  case Expr::Conditional:
+    return varied(e->args[1]) || varied(e->args[2]);
+  case Expr::Comma:
+    return varied(e->args[1]);
   case Expr::Unary:
   case Expr::Binary:
   case Expr::Cast:
@@ -174,7 +185,8 @@ private:
   void shareMembers(Place *a, Place *b, const Type *type, const Loc &loc) {
     if (a == b) return;
     for (const Field &field : type->record->fields)
-      if (throughField(field.type)) unify(find(member(a, field.name, field.type))->target, find(member(b, field.name, field.type))->target, loc);
+      if (throughField(field.type))
+        unify(find(member(a, field.name, field.type))->target, find(member(b, field.name, field.type))->target, loc);
   }
 
   // The place of a struct's member: its own for pointers, the struct's for numbers.
@@ -230,8 +242,10 @@ private:
     const Expr *lhs = e->args[0], *rhs = e->args[1];
     Place *p = v_.place(lhs);
     write(p, e->loc);
-    if (lhs->type->kind != Type::Integer && e->text == "=") give(p, lhs->type, rhs, e->loc, "this");
-    else if (lhs->type->kind == Type::Real && v_.varied(rhs)) activate(p, e->loc, "this");
+    if (lhs->type->kind != Type::Integer && e->text == "=")
+      give(p, lhs->type, rhs, e->loc, "this");
+    else if (lhs->type->kind == Type::Real && v_.varied(rhs))
+      activate(p, e->loc, "this");
   }
 
   void write(Place *p, const Loc &loc) {
@@ -259,12 +273,16 @@ private:
     if (mixed) activity_.report("active-params", loc, "a pointer to both");
     b->parent = a;
     a->active |= b->active, a->input |= b->input, a->frozen |= b->frozen, a->written |= b->written;
-    if (!a->target) a->target = b->target;
-    else unify(a->target, b->target, loc);
+    if (!a->target)
+      a->target = b->target;
+    else
+      unify(a->target, b->target, loc);
     for (auto &field : b->fields) {
       Place *&mine = a->fields[field.first];
-      if (!mine) mine = field.second;
-      else unify(mine, field.second, loc);
+      if (!mine)
+        mine = field.second;
+      else
+        unify(mine, field.second, loc);
     }
   }
 
@@ -277,7 +295,8 @@ private:
     Variant *callee = activity_.variant(e->callee, signature);
     if (v_.callees[e] != callee) v_.callees[e] = callee, changed_ = true;
     for (size_t i = 0; i < e->args.size(); ++i)
-      if (e->args[i]->type->kind == Type::Pointer) takeBack(callee->places[callee->function->params[i]]->target, v_.target(e->args[i]), e);
+      if (e->args[i]->type->kind == Type::Pointer)
+        takeBack(callee->places[callee->function->params[i]]->target, v_.target(e->args[i]), e);
   }
 
   // What the callee does to the storage behind a pointer happens to the caller's.
@@ -288,20 +307,24 @@ private:
     if (theirs->active) activate(ours, e->loc, "an argument of '" + e->callee->name + "'");
     takeBack(theirs->target, ours->target, e);
     for (auto &field : theirs->fields)
-      if (ours->fields.count(field.first)) takeBack(field.second, ours->fields[field.first], e);
-      else if (find(field.second)->written) write(ours, e->loc);
+      if (ours->fields.count(field.first))
+        takeBack(field.second, ours->fields[field.first], e);
+      else if (find(field.second)->written)
+        write(ours, e->loc);
   }
 
   // An active object must have a layout of jets.
   void checkType(const Type *type, const Loc &loc, const std::string &what) {
     while (type->kind == Type::Pointer || type->kind == Type::Array) type = type->element;
-    if (type->kind == Type::Struct && !allReal(type)) activity_.report("struct-active", loc, what + " of type '" + type->record->spelling + "'");
+    if (type->kind == Type::Struct && !allReal(type))
+      activity_.report("struct-active", loc, what + " of type '" + type->record->spelling + "'");
   }
 
   // Pointers to active numbers live in variables and arrays only: what a struct keeps is not followed into calls.
   void checkKept(const Expr *e) {
     auto refuse = [&](const Expr *pointer) {
-      if (pointer && pointer->type->kind == Type::Pointer && v_.pointsToActive(pointer)) activity_.report("pointer-in-struct", pointer->loc, "a pointer kept there");
+      if (pointer && pointer->type->kind == Type::Pointer && v_.pointsToActive(pointer))
+        activity_.report("pointer-in-struct", pointer->loc, "a pointer kept there");
     };
     if (e->kind == Expr::InitList && e->type->kind == Type::Struct)
       for (const Expr *item : e->args) refuse(item);
@@ -318,7 +341,8 @@ private:
     if (toInteger && v_.varied(e->args[0])) activity_.report("active-integer", e->loc, "conversion to '" + e->type->name + "'");
     bool compound = e->kind == Expr::Assign && e->args[0]->type->kind == Type::Integer && v_.varied(e->args[1]);
     if (compound) activity_.report("active-integer", e->loc, "assignment to '" + e->args[0]->type->name + "'");
-    if (e->type->kind == Type::Real && e->type->name == "float" && v_.varied(e)) activity_.report("float-active", e->loc, "'float' expression");
+    if (e->type->kind == Type::Real && e->type->name == "float" && v_.varied(e))
+      activity_.report("float-active", e->loc, "'float' expression");
   }
 
   Activity &activity_;
@@ -337,7 +361,8 @@ Activity::Activity(const Model &model, Diagnostics &diags, const std::vector<std
   }
   for (bool changed = true; changed;) {
     changed = false;
-    for (size_t i = 0; i < owned_.size(); ++i) changed |= VariantAnalysis(*this, *owned_[i], false).pass(); // new variants join at the end
+    for (size_t i = 0; i < owned_.size(); ++i)
+      changed |= VariantAnalysis(*this, *owned_[i], false).pass(); // new variants join at the end
   }
   std::set<const Variant *> seen;
   std::function<void(Variant *)> list = [&](Variant *v) {

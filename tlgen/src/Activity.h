@@ -1,7 +1,7 @@
 // Activity: which storage holds values that depend on the coordinates, the velocities or the time (varied values).
 //
-// The analysis is insensitive to the order of statements: a variable that is ever given a varied value is active throughout, an array is
-// active as a whole. Pointers are followed by unification: what two pointers may both point to is one place. A function is analysed
+// The analysis is insensitive to the order of statements: a variable that is ever given a varied value is active throughout, an array
+// is active as a whole. Pointers are followed by unification: what two pointers may both point to is one place. A function is analysed
 // once for each pattern of active arguments it is called with; each such variant is emitted by itself.
 #ifndef TLGEN_ACTIVITY_H
 #define TLGEN_ACTIVITY_H
@@ -23,7 +23,7 @@ struct Place {
   bool input = false;  // constants: may not be written
   bool frozen = false; // constants: may not become active
   Place *parent = nullptr;
-  Place *target = nullptr;              // what a pointer stored here points to
+  Place *target = nullptr;               // what a pointer stored here points to
   std::map<std::string, Place *> fields; // pointer members of a struct; its numbers are one place, the struct itself
 };
 Place *find(Place *p);
@@ -32,7 +32,8 @@ Place *find(Place *p);
 class Variant {
 public:
   const Function *function = nullptr;
-  // One letter per parameter: a active, p passive; of a model function also i for an active input and c for constants (no writing there).
+  // One letter per parameter: a active, p passive; of a model function also i for an active input and c for constants (no writing
+  // there).
   std::string signature;
   std::map<const Variable *, Place *> places;
   Place *result = nullptr;
@@ -41,11 +42,11 @@ public:
 
   bool active() const { return signature.find_first_of("ai") != std::string::npos || find(result)->active; }
   bool activeParam(size_t i) const { return signature[i] == 'a' || signature[i] == 'i'; }
-  bool active(const Variable *v) const;      // the variable's numbers, or what it points to
-  bool varied(const Expr *e) const;          // a number or struct that depends on the inputs
-  bool pointsToActive(const Expr *e) const;  // a pointer to active numbers
-  Place *place(const Expr *lvalue) const;    // storage of an lvalue; null for a temporary
-  Place *target(const Expr *pointer) const;  // storage that a pointer value points to; null where unknown
+  bool active(const Variable *v) const;     // the variable's numbers, or what it points to
+  bool varied(const Expr *e) const;         // a number or struct that depends on the inputs
+  bool pointsToActive(const Expr *e) const; // a pointer to active numbers
+  Place *place(const Expr *lvalue) const;   // storage of an lvalue; null for a temporary
+  Place *target(const Expr *pointer) const; // storage that a pointer value points to; null where unknown
 };
 
 class Activity {

@@ -38,11 +38,14 @@ void Diagnostics::print(std::ostream &out) const {
     return std::tie(a.file, a.line, a.column) < std::tie(b.file, b.line, b.column);
   });
   for (const Message &m : sorted) {
-    if (m.file.empty()) out << "tlgen: ";
-    else out << m.file << ':';
+    if (m.file.empty())
+      out << "tlgen: ";
+    else
+      out << m.file << ':';
     if (m.line) out << m.line << ':' << m.column << ':';
     if (!m.file.empty()) out << ' ';
-    out << (m.kind->severity == Severity::Error ? "error: " : "warning: ") << m.what << ": " << m.kind->why << " [" << m.kind->id << "]\n"
+    out << (m.kind->severity == Severity::Error ? "error: " : "warning: ") << m.what << ": " << m.kind->why << " [" << m.kind->id
+        << "]\n"
         << "  instead: " << m.kind->instead << '\n';
   }
 }

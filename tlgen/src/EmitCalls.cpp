@@ -24,7 +24,8 @@ public:
     if (!prototypes.empty()) functions = prototypes + "\n" + functions;
     EmittedModel out;
     out.header = header();
-    out.source = title(".") + "#include \"" + headerName + "\"\n\n#include \"taylor/taylor.h\"\n\n" + records(false) + tables() + functions + adapters() + description();
+    out.source = title(".") + "#include \"" + headerName + "\"\n\n#include \"taylor/taylor.h\"\n\n" + records(false) + tables() +
+                 functions + adapters() + description();
     return out;
   }
 
@@ -38,7 +39,8 @@ private:
     return "/* Model \"" + model_.name + "\" on truncated Taylor series, printed by tlgen from " + from + ending + " Do not edit. */\n";
   }
 
-  // A struct that stands in a .c file can be had from nowhere else, so the header defines it; one from a header is the user's to include.
+  // A struct that stands in a .c file can be had from nowhere else, so the header defines it; one from a header is the user's to
+  // include.
   bool inHeader(const Record *r) const {
     const std::string &file = program_.files[static_cast<size_t>(r->loc.file)];
     return file.size() > 2 && file.compare(file.size() - 2, 2, ".c") == 0;
@@ -55,7 +57,8 @@ private:
     std::string guard = model_.name + "_TL_H";
     std::transform(guard.begin(), guard.end(), guard.begin(), [](unsigned char ch) { return static_cast<char>(toupper(ch)); });
     return title(".") + "#ifndef " + guard + "\n#define " + guard + "\n\n#include \"eom/model.h\"\n\n" + records(true) +
-           "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\nextern const eom_model " + model_.name + "_model;\n\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
+           "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\nextern const eom_model " + model_.name +
+           "_model;\n\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
   }
 
   std::string tables() const {
@@ -72,7 +75,9 @@ private:
       std::string stem = own + (v->active() ? "_tl" : "");
       if (reservedFunctionName(stem, model_.name)) stem = model_.name + "_" + stem;
       std::string name = stem;
-      auto free = [&] { return (name == own || !program_.names.count(name)) && !reservedFunctionName(name, model_.name) && used.insert(name).second; };
+      auto free = [&] {
+        return (name == own || !program_.names.count(name)) && !reservedFunctionName(name, model_.name) && used.insert(name).second;
+      };
       for (int n = 2; !free(); ++n) name = stem + std::to_string(n);
       emitted_.names[v] = name;
     }
@@ -122,11 +127,15 @@ private:
     if (!used[2]) unused += "  (void)t;\n";
     if (!used[3]) unused += "  (void)params;\n";
     std::string body;
-    if (!v->active()) body = "  tl_const(cx, out, " + emitted_.names.at(v) + "(" + args.substr(std::min(args.size(), size_t(4))) + "));\n";
-    else if (f.function->result->kind == Type::Real && !find(v->result)->active) body = "  tl_const(cx, out, " + emitted_.names.at(v) + "(" + args + "));\n";
-    else body = "  " + emitted_.names.at(v) + "(" + args + ");\n";
-    return "static void " + adapterName(i) + "(tl_ctx *cx, tl_real *out, const tl_real *q, const tl_real *qd, const tl_real *t, const void *params)\n{\n" +
-           unused + body + "}\n\n";
+    if (!v->active())
+      body = "  tl_const(cx, out, " + emitted_.names.at(v) + "(" + args.substr(std::min(args.size(), size_t(4))) + "));\n";
+    else if (f.function->result->kind == Type::Real && !find(v->result)->active)
+      body = "  tl_const(cx, out, " + emitted_.names.at(v) + "(" + args + "));\n";
+    else
+      body = "  " + emitted_.names.at(v) + "(" + args + ");\n";
+    return "static void " + adapterName(i) +
+           "(tl_ctx *cx, tl_real *out, const tl_real *q, const tl_real *qd, const tl_real *t, const void *params)\n{\n" + unused +
+           body + "}\n\n";
   }
 
   std::string countFunction(const std::string &name, const Count &count) const {
@@ -159,8 +168,10 @@ private:
       s += frameFunction(i);
       std::string rows = f.role == Role::Force ? model_.name + "_dof" : stem(i) + "_rows";
       if (f.role != Role::Force) s += countFunction(rows, f.rows);
-      if (f.role == Role::Lagrangian) lagrangian = entry(i, rows);
-      else if (f.role == Role::Force) force = entry(i, rows);
+      if (f.role == Role::Lagrangian)
+        lagrangian = entry(i, rows);
+      else if (f.role == Role::Force)
+        force = entry(i, rows);
       else {
         int kind = f.role == Role::Nonholonomic;
         constraints[kind] += "  " + entry(i, rows) + ",\n";
@@ -175,9 +186,9 @@ private:
     }
     std::string size = model_.params ? "sizeof(" + model_.params->spelling + ")" : "0";
     return s + lists + "const eom_model " + model_.name + "_model = {\n  .name = \"" + model_.name + "\",\n  .dof = " + model_.name +
-           "_dof,\n  .params_size = " + size + ",\n  .lagrangian = " + lagrangian + ",\n  .force = " + force + ",\n  .holonomic = " + pointers[0] +
-           ",\n  .nholonomic = " + std::to_string(counts[0]) + ",\n  .nonholonomic = " + pointers[1] +
-           ",\n  .nnonholonomic = " + std::to_string(counts[1]) + ",\n};\n";
+           "_dof,\n  .params_size = " + size + ",\n  .lagrangian = " + lagrangian + ",\n  .force = " + force +
+           ",\n  .holonomic = " + pointers[0] + ",\n  .nholonomic = " + std::to_string(counts[0]) +
+           ",\n  .nonholonomic = " + pointers[1] + ",\n  .nnonholonomic = " + std::to_string(counts[1]) + ",\n};\n";
   }
 
   const Program &program_;
@@ -189,7 +200,8 @@ private:
 
 } // namespace
 
-EmittedModel emitCalls(const Program &program, const Model &model, const Activity &activity, Diagnostics &diags, const std::string &headerName) {
+EmittedModel emitCalls(const Program &program, const Model &model, const Activity &activity, Diagnostics &diags,
+                       const std::string &headerName) {
   return ModelEmitter(program, model, activity, diags).run(headerName);
 }
 

@@ -11,7 +11,8 @@ struct EmittedModel {
 };
 
 // headerName: how the source includes its header. The text depends on nothing but the arguments. Frames without a bound are reported.
-EmittedModel emitCalls(const Program &program, const Model &model, const Activity &activity, Diagnostics &diags, const std::string &headerName);
+EmittedModel emitCalls(const Program &program, const Model &model, const Activity &activity, Diagnostics &diags,
+                       const std::string &headerName);
 
 } // namespace tlgen
 

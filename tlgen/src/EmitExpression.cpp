@@ -9,7 +9,9 @@
 
 namespace tlgen {
 
-static bool isNumber(const std::string &s) { return !s.empty() && s.size() < 10 && s.find_first_not_of("0123456789") == std::string::npos; }
+static bool isNumber(const std::string &s) {
+  return !s.empty() && s.size() < 10 && s.find_first_not_of("0123456789") == std::string::npos;
+}
 
 std::string Address::offset() const {
   std::string sum;
@@ -81,16 +83,20 @@ void FunctionEmitter::term(Address &a, const Expr *index, const Type *element) {
   Text t = value(index);
   bool isUnsigned = index->type->name.compare(0, 8, "unsigned") == 0 && index->kind != Expr::Literal;
   if (isUnsigned) t = {"(ptrdiff_t)" + operand(t, Prefix), Prefix};
-  if (index->kind == Expr::Literal) t.s.erase(std::find_if(t.s.begin(), t.s.end(), [](char ch) { return ch == 'u' || ch == 'l'; }), t.s.end());
+  if (index->kind == Expr::Literal)
+    t.s.erase(std::find_if(t.s.begin(), t.s.end(), [](char ch) { return ch == 'u' || ch == 'l'; }), t.s.end());
   a.terms.push_back({t, jetCount(element)});
 }
 
 Address FunctionEmitter::place(const Expr *e) {
   switch (e->kind) {
-  case Expr::Ref: return {nameOf(e->var), {}};
+  case Expr::Ref:
+    return {nameOf(e->var), {}};
   case Expr::Member: {
     const Expr *base = e->args[0];
-    Address a = e->arrow ? Address{operand(pointer(base), Postfix), {}} : base->kind == Expr::Call || base->kind == Expr::Conditional ? Address{jet(base), {}} : place(base);
+    Address a = e->arrow                                                      ? Address{operand(pointer(base), Postfix), {}}
+                : base->kind == Expr::Call || base->kind == Expr::Conditional ? Address{jet(base), {}}
+                                                                              : place(base);
     const Type *record = e->arrow ? base->type->element : base->type;
     offset(a, fieldOffset(record->record, e->text));
     return a;
@@ -104,8 +110,10 @@ Address FunctionEmitter::place(const Expr *e) {
     if (e->args[0]->kind == Expr::AddressOf || e->args[0]->kind == Expr::Decay) return place(e->args[0]->args[0]);
     return {operand(pointer(e->args[0]), Postfix), {}};
   }
-  case Expr::Assign: return {operand(assign(e), Postfix), {}}; // done before, as a statement
-  case Expr::Step: return {operand(step(e), Postfix), {}};
+  case Expr::Assign:
+    return {operand(assign(e), Postfix), {}}; // done before, as a statement
+  case Expr::Step:
+    return {operand(step(e), Postfix), {}};
   case Expr::InitList: {
     std::string literal = fresh("literal");
     line("tl_real *const " + literal + " = " + slot(slots_) + ";");
@@ -113,7 +121,8 @@ Address FunctionEmitter::place(const Expr *e) {
     initObject(literal, e->type, e);
     return {literal, {}};
   }
-  default: std::abort(); // no other expression is an active object
+  default:
+    std::abort(); // no other expression is an active object
   }
 }
 
@@ -137,12 +146,17 @@ Text FunctionEmitter::pointer(const Expr *e) {
   Address one{"", {{{"1", Primary}, jetCount(element)}}};
   std::string jets = one.offset();
   switch (e->kind) {
-  case Expr::Ref: return {nameOf(e->var), Primary};
-  case Expr::Index: return {operand(pointer(e->args[0]), Postfix) + "[" + value(e->args[1]).s + "]", Postfix};
-  case Expr::Deref: return unaryText("*", pointer(e->args[0]));
+  case Expr::Ref:
+    return {nameOf(e->var), Primary};
+  case Expr::Index:
+    return {operand(pointer(e->args[0]), Postfix) + "[" + value(e->args[1]).s + "]", Postfix};
+  case Expr::Deref:
+    return unaryText("*", pointer(e->args[0]));
   case Expr::Decay:
-  case Expr::AddressOf: return sum(place(e->args[0]));
-  case Expr::Cast: return pointer(e->args[0]);
+  case Expr::AddressOf:
+    return sum(place(e->args[0]));
+  case Expr::Cast:
+    return pointer(e->args[0]);
   case Expr::Binary: {
     bool first = e->args[0]->type->kind == Type::Pointer;
     Address offset{"", {}};
@@ -163,32 +177,46 @@ Text FunctionEmitter::pointer(const Expr *e) {
     return {pointer(e->args[0]).s + " " + e->text + " " + (offset.offset().empty() ? "0" : offset.offset()), Assignment};
   }
   case Expr::Conditional:
-    return {operand(condition(e->args[0]), Or) + " ? " + operand(pointer(e->args[1]), Choice) + " : " + operand(pointer(e->args[2]), Choice), Choice};
+    return conditionalValue(e);
   case Expr::Comma:
     if (needsStatements(e)) return evaluate(e->args[0]), pointer(e->args[1]);
     return {operand(value(e->args[0]), Assignment) + ", " + operand(pointer(e->args[1]), Assignment), Sequence};
-  default: std::abort(); // no other expression points to active numbers
+  default:
+    std::abort(); // no other expression points to active numbers
   }
 }
 
 // A pointer to pointers to active numbers: plain C, whatever it is made of.
 Text FunctionEmitter::pointerValue(const Expr *e) {
   switch (e->kind) {
-  case Expr::Ref: return {nameOf(e->var), Primary};
-  case Expr::Decay: return pointerValue(e->args[0]);
-  case Expr::AddressOf: return unaryText("&", pointer(e->args[0]));
-  case Expr::Index: return {operand(pointerValue(e->args[0]), Postfix) + "[" + value(e->args[1]).s + "]", Postfix};
-  case Expr::Deref: return unaryText("*", pointerValue(e->args[0]));
-  case Expr::Cast: return pointerValue(e->args[0]);
+  case Expr::Ref:
+    return {nameOf(e->var), Primary};
+  case Expr::Decay:
+    return pointerValue(e->args[0]);
+  case Expr::AddressOf:
+    return unaryText("&", pointer(e->args[0]));
+  case Expr::Index:
+    return {operand(pointerValue(e->args[0]), Postfix) + "[" + value(e->args[1]).s + "]", Postfix};
+  case Expr::Deref:
+    return unaryText("*", pointerValue(e->args[0]));
+  case Expr::Cast:
+    return pointerValue(e->args[0]);
   case Expr::Binary: {
     bool first = e->args[0]->type->kind == Type::Pointer;
-    return binaryText(e->text, first ? pointerValue(e->args[0]) : value(e->args[0]), first ? value(e->args[1]) : pointerValue(e->args[1]));
+    return binaryText(e->text, first ? pointerValue(e->args[0]) : value(e->args[0]),
+                      first ? value(e->args[1]) : pointerValue(e->args[1]));
   }
-  case Expr::Step: return e->prefix ? unaryText(e->text, pointerValue(e->args[0])) : Text{operand(pointerValue(e->args[0]), Postfix) + e->text, Postfix};
-  case Expr::Assign: return binaryText(e->text, pointerValue(e->args[0]), e->text == "=" ? pointerValue(e->args[1]) : value(e->args[1]));
+  case Expr::Step:
+    return e->prefix ? unaryText(e->text, pointerValue(e->args[0]))
+                     : Text{operand(pointerValue(e->args[0]), Postfix) + e->text, Postfix};
+  case Expr::Assign:
+    return binaryText(e->text, pointerValue(e->args[0]), e->text == "=" ? pointerValue(e->args[1]) : value(e->args[1]));
   case Expr::Conditional:
-    return {operand(value(e->args[0]), Or) + " ? " + operand(pointerValue(e->args[1]), Choice) + " : " + operand(pointerValue(e->args[2]), Choice), Choice};
-  default: std::abort(); // no other expression has such a type
+    return {operand(value(e->args[0]), Or) + " ? " + operand(pointerValue(e->args[1]), Choice) + " : " +
+                operand(pointerValue(e->args[2]), Choice),
+            Choice};
+  default:
+    std::abort(); // no other expression has such a type
   }
 }
 
@@ -213,13 +241,20 @@ Text FunctionEmitter::value(const Expr *e) {
   }
   if (isObject(e) || ((e->kind == Expr::Assign || e->kind == Expr::Step) && activeObject(e))) return {place(e).value(), Postfix};
   switch (e->kind) {
-  case Expr::Literal: return {e->text, e->text[0] == '-' ? Prefix : Primary};
-  case Expr::Ref: return {nameOf(e->var), Primary};
-  case Expr::Index: return {operand(value(e->args[0]), Postfix) + "[" + value(e->args[1]).s + "]", Postfix};
-  case Expr::Member: return {operand(value(e->args[0]), Postfix) + (e->arrow ? "->" : ".") + e->text, Postfix};
-  case Expr::Deref: return unaryText("*", value(e->args[0]));
-  case Expr::AddressOf: return unaryText("&", value(e->args[0]));
-  case Expr::Decay: return value(e->args[0]);
+  case Expr::Literal:
+    return {e->text, e->text[0] == '-' ? Prefix : Primary};
+  case Expr::Ref:
+    return {nameOf(e->var), Primary};
+  case Expr::Index:
+    return {operand(value(e->args[0]), Postfix) + "[" + value(e->args[1]).s + "]", Postfix};
+  case Expr::Member:
+    return {operand(value(e->args[0]), Postfix) + (e->arrow ? "->" : ".") + e->text, Postfix};
+  case Expr::Deref:
+    return unaryText("*", value(e->args[0]));
+  case Expr::AddressOf:
+    return unaryText("&", value(e->args[0]));
+  case Expr::Decay:
+    return value(e->args[0]);
   case Expr::Unary:
     if (e->text == "!" && e->args[0]->type->kind == Type::Real) return {operand(value(e->args[0]), Shift) + " == 0", Equality};
     return unaryText(e->text, value(e->args[0]));
@@ -232,8 +267,10 @@ Text FunctionEmitter::value(const Expr *e) {
     Address one{"", {{{"1", Primary}, jetCount(e->args[0]->type->element)}}};
     return {distance + "/" + (one.offset() == "nc" ? "nc" : "(" + one.offset() + ")"), Product};
   }
-  case Expr::Conditional: return conditionalValue(e);
-  case Expr::Call: return callValue(e);
+  case Expr::Conditional:
+    return conditionalValue(e);
+  case Expr::Call:
+    return callValue(e);
   case Expr::MathCall: {
     std::string args;
     for (const Expr *arg : e->args) args += (args.empty() ? "" : ", ") + operand(value(arg), Assignment);
@@ -241,14 +278,18 @@ Text FunctionEmitter::value(const Expr *e) {
   }
   case Expr::Cast: {
     const Expr *inner = e->args[0];
-    bool plainInteger = inner->kind == Expr::Literal && inner->type->kind == Type::Integer && inner->text.find_first_not_of("0123456789") == std::string::npos;
+    bool plainInteger = inner->kind == Expr::Literal && inner->type->kind == Type::Integer &&
+                        inner->text.find_first_not_of("0123456789") == std::string::npos;
     if (plainInteger && e->type->kind == Type::Real) return {inner->text + ".0", Primary};
-    if (plainInteger && e->type->kind == Type::Integer && integerSuffix(e->type->name)) return {inner->text + integerSuffix(e->type->name), Primary};
+    if (plainInteger && e->type->kind == Type::Integer && integerSuffix(e->type->name))
+      return {inner->text + integerSuffix(e->type->name), Primary};
     if (e->type->kind == Type::Pointer) return value(inner); // only qualifiers change
     return {"(" + tlgen::declaration(e->type, "") + ")" + operand(value(inner), Prefix), Prefix};
   }
-  case Expr::Assign: return binaryText(e->text, value(e->args[0]), value(e->args[1]));
-  case Expr::Step: return e->prefix ? unaryText(e->text, value(e->args[0])) : Text{operand(value(e->args[0]), Postfix) + e->text, Postfix};
+  case Expr::Assign:
+    return binaryText(e->text, value(e->args[0]), value(e->args[1]));
+  case Expr::Step:
+    return e->prefix ? unaryText(e->text, value(e->args[0])) : Text{operand(value(e->args[0]), Postfix) + e->text, Postfix};
   case Expr::Comma:
     if (!needsStatements(e)) return binaryText(",", value(e->args[0]), value(e->args[1]));
     evaluate(e->args[0]);
@@ -291,11 +332,13 @@ Text FunctionEmitter::logicalValue(const Expr *e) {
 
 Text FunctionEmitter::conditionalValue(const Expr *e) {
   if (!needsStatements(e->args[1]) && !needsStatements(e->args[2]))
-    return {operand(condition(e->args[0]), Or) + " ? " + operand(value(e->args[1]), Choice) + " : " + operand(value(e->args[2]), Choice), Choice};
+    return {operand(condition(e->args[0]), Or) + " ? " + operand(value(e->args[1]), Choice) + " : " +
+                operand(value(e->args[2]), Choice),
+            Choice};
   std::string choice = fresh("choice");
   Type plain = *e->type;
   plain.isConst = false;
-  line(tlgen::declaration(&plain, choice) + ";");
+  line((activePointer(e) ? jetDeclaration(&plain, choice) : tlgen::declaration(&plain, choice)) + ";");
   line("if (" + condition(e->args[0]).s + ") {");
   ++indent_;
   line(choice + " = " + operand(value(e->args[1]), Assignment) + ";");
@@ -349,14 +392,20 @@ void FunctionEmitter::into(const std::string &dest, const Expr *e) {
     return constants(dest, e->type, text);
   }
   switch (e->kind) {
-  case Expr::Cast: return into(dest, e->args[0]);
+  case Expr::Cast:
+    return into(dest, e->args[0]);
   case Expr::Unary:
     if (e->text == "-") return operation("neg", dest + ", " + jet(e->args[0]));
     return into(dest, e->args[0]);
-  case Expr::Binary: return binaryInto(dest, e);
-  case Expr::MathCall: return mathInto(dest, e);
-  case Expr::Call: return line(callText(e, dest) + ";");
-  case Expr::Comma: evaluate(e->args[0]); return into(dest, e->args[1]);
+  case Expr::Binary:
+    return binaryInto(dest, e);
+  case Expr::MathCall:
+    return mathInto(dest, e);
+  case Expr::Call:
+    return line(callText(e, dest) + ";");
+  case Expr::Comma:
+    evaluate(e->args[0]);
+    return into(dest, e->args[1]);
   case Expr::Conditional:
     line("if (" + condition(e->args[0]).s + ") {");
     ++indent_;
@@ -379,7 +428,8 @@ void FunctionEmitter::into(const std::string &dest, const Expr *e) {
     initObject(list, e->type, e);
     return copyObject(dest, list, e->type);
   }
-  default: return copyObject(dest, fixedAddress(e).s, e->type);
+  default:
+    return copyObject(dest, fixedAddress(e).s, e->type);
   }
 }
 
@@ -397,7 +447,9 @@ void FunctionEmitter::binaryInto(const std::string &dest, const Expr *e) {
   std::string factor = operand(k, Assignment);
   if (op == '+') return operation("shift", dest + ", " + x + ", " + factor);
   if (op == '*') return operation("scale", dest + ", " + x + ", " + factor);
-  if (op == '-') return active == a ? operation("shift", dest + ", " + x + ", " + unaryText("-", k).s) : operation("rsub", dest + ", " + factor + ", " + x);
+  if (op == '-')
+    return active == a ? operation("shift", dest + ", " + x + ", " + unaryText("-", k).s)
+                       : operation("rsub", dest + ", " + factor + ", " + x);
   return active == a ? operation("divc", dest + ", " + x + ", " + factor) : operation("rdiv", dest + ", " + factor + ", " + x);
 }
 

@@ -125,7 +125,7 @@ private:
   Emitted &emitted_;
   std::string out_;
   int indent_ = 1;
-  long slots_ = 0;             // jets of named locals
+  long slots_ = 0; // jets of named locals
   int temporaries_ = 0, temporariesUsed_ = 0, freshNames_ = 0;
   Frame frame_;
   struct Scope {
@@ -133,7 +133,7 @@ private:
     std::string mark; // where the frame stack stood, in a block with arrays of variable length
   };
   std::vector<Scope> scopes_;
-  bool hoist_ = false;      // locals are placed at the top, since jumps may pass their declarations
+  bool hoist_ = false; // locals are placed at the top, since jumps may pass their declarations
   std::string hoisted_;
   std::map<const Variable *, std::string> renamed_;
   std::set<std::string> hoistedNames_;

@@ -26,7 +26,8 @@ Bound FrameBound::of(const Variant *root, const std::vector<Arg> &args) {
 bool FrameBound::expand(const Expr *e, const Environment &env, const Frame &frame, std::string &text) const {
   std::string a, b;
   switch (e->kind) {
-  case Expr::Literal: return text = e->text, true;
+  case Expr::Literal:
+    return text = e->text, true;
   case Expr::Ref: {
     auto known = env.find(e->var);
     if (known != env.end()) return text = known->second, true;
@@ -48,7 +49,8 @@ bool FrameBound::expand(const Expr *e, const Environment &env, const Frame &fram
   case Expr::Binary:
     if (!expand(e->args[0], env, frame, a) || !expand(e->args[1], env, frame, b)) return false;
     return text = "(" + a + " " + e->text + " " + b + ")", true;
-  default: return false;
+  default:
+    return false;
   }
 }
 
@@ -57,9 +59,12 @@ bool FrameBound::expandLength(const Type *type, const Environment &env, const Fr
   long fixed = 1;
   for (; variableLength(type); type = type->element) {
     std::string length;
-    if (!type->length) fixed *= type->count;
-    else if (!expand(type->length, env, frame, length)) return false;
-    else text += (text.empty() ? "" : "*") + std::string("(size_t)(") + length + ")";
+    if (!type->length)
+      fixed *= type->count;
+    else if (!expand(type->length, env, frame, length))
+      return false;
+    else
+      text += (text.empty() ? "" : "*") + std::string("(size_t)(") + length + ")";
   }
   fixed *= elements(type);
   if (fixed != 1) text = std::to_string(fixed) + "*" + text;
@@ -74,8 +79,10 @@ Bound FrameBound::bound(const Variant *v, const Environment &env) {
   stack_.push_back(v);
   for (const Variable *array : frame.arrays) {
     std::string term;
-    if (expandLength(array->type, env, frame, term)) total.terms.push_back(term);
-    else diags_.add("vla", paths_[static_cast<size_t>(array->loc.file)], array->loc.line, array->loc.column, "'" + array->name + "'");
+    if (expandLength(array->type, env, frame, term))
+      total.terms.push_back(term);
+    else
+      diags_.add("vla", paths_[static_cast<size_t>(array->loc.file)], array->loc.line, array->loc.column, "'" + array->name + "'");
   }
   long deepest = 0;
   for (const auto &call : frame.calls) {
@@ -96,8 +103,10 @@ Bound FrameBound::bound(const Variant *v, const Environment &env) {
   if (depth != model_.recursion.end() && !empty) { // the first call and each one inside it may take all of it
     const Count &deep = depth->second;
     std::string levels = deep.member.empty() ? std::to_string(deep.value + 1) : "((size_t)p->" + deep.member + " + 1)";
-    if (deep.member.empty() && total.terms.empty()) total.fixed *= deep.value + 1;
-    else total = {0, {levels + "*(" + total.text() + ")"}};
+    if (deep.member.empty() && total.terms.empty())
+      total.fixed *= deep.value + 1;
+    else
+      total = {0, {levels + "*(" + total.text() + ")"}};
   }
   return total;
 }

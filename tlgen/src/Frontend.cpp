@@ -49,14 +49,17 @@ tooling::ArgumentsAdjuster ownArguments(const Options &o) {
   auto adjuster = tooling::combineAdjusters(tooling::getClangStripOutputAdjuster(), tooling::getClangStripDependencyFileAdjuster());
   adjuster = tooling::combineAdjusters(adjuster, tooling::getInsertArgumentAdjuster(before, tooling::ArgumentInsertPosition::BEGIN));
   if (!o.compileCommands.empty() && !o.compilerArgs.empty())
-    adjuster = tooling::combineAdjusters(adjuster, tooling::getInsertArgumentAdjuster(o.compilerArgs, tooling::ArgumentInsertPosition::END));
+    adjuster =
+        tooling::combineAdjusters(adjuster, tooling::getInsertArgumentAdjuster(o.compilerArgs, tooling::ArgumentInsertPosition::END));
   return adjuster;
 }
 
 // The key of the source manager's table is a pointer up to LLVM 17.
 template <class Entry> std::string fileName(const Entry &entry) {
-  if constexpr (std::is_pointer_v<Entry>) return entry->getName().str();
-  else return entry.getName().str();
+  if constexpr (std::is_pointer_v<Entry>)
+    return entry->getName().str();
+  else
+    return entry.getName().str();
 }
 
 void collectFiles(const clang::SourceManager &sm, std::set<std::string> &files) {

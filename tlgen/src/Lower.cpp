@@ -120,7 +120,8 @@ const Type *Lowering::type(c::QualType qt) {
   } else {
     t.kind = Type::Integer;
     if (const auto *e = canonical->getAs<c::EnumType>()) canonical = e->getDecl()->getIntegerType().getCanonicalType();
-    t.name = canonical->isBooleanType() ? "_Bool" : canonical.getUnqualifiedType().getAsString(c::PrintingPolicy(context_->getLangOpts()));
+    t.name =
+        canonical->isBooleanType() ? "_Bool" : canonical.getUnqualifiedType().getAsString(c::PrintingPolicy(context_->getLangOpts()));
   }
   return program_.make(std::move(t));
 }
@@ -144,7 +145,7 @@ const Record *Lowering::record(const c::RecordDecl *decl) {
     for (const c::FieldDecl *field : decl->fields()) r->fields.push_back({field->getNameAsString(), type(field->getType())});
   for (int n = 2; const Record *other = sameName(*r); ++n) {
     if (sameFields(*r, *other)) return records_[decl] = other; // of another translation unit
-    std::string end = "_" + std::to_string(n); // of another scope
+    std::string end = "_" + std::to_string(n);                 // of another scope
     r->tag = decl->getNameAsString().empty() ? "" : decl->getNameAsString() + end;
     r->spelling = r->tag.empty() ? spelling + end : "struct " + r->tag;
   }
@@ -159,8 +160,9 @@ const Record *Lowering::sameName(const Record &r) const {
 }
 
 bool Lowering::sameFields(const Record &a, const Record &b) {
-  return std::equal(a.fields.begin(), a.fields.end(), b.fields.begin(), b.fields.end(),
-                    [](const Field &x, const Field &y) { return x.name == y.name && tlgen::declaration(x.type, "") == tlgen::declaration(y.type, ""); });
+  return std::equal(a.fields.begin(), a.fields.end(), b.fields.begin(), b.fields.end(), [](const Field &x, const Field &y) {
+    return x.name == y.name && tlgen::declaration(x.type, "") == tlgen::declaration(y.type, "");
+  });
 }
 
 int Lowering::fileIndex(c::FileID id, const std::string &path) {
@@ -320,19 +322,24 @@ Expr *Lowering::castOf(const c::CastExpr *e) {
   Expr *inner = expr(e->getSubExpr());
   switch (e->getCastKind()) {
   case c::CK_LValueToRValue:
-  case c::CK_NoOp: return inner;
-  case c::CK_ArrayToPointerDecay: return node(Expr::Decay, e, {inner});
+  case c::CK_NoOp:
+    return inner;
+  case c::CK_ArrayToPointerDecay:
+    return node(Expr::Decay, e, {inner});
   case c::CK_FloatingToBoolean:
   case c::CK_IntegralToBoolean: // a condition, or a conversion to _Bool
-  default: return node(Expr::Cast, e, {inner});
+  default:
+    return node(Expr::Cast, e, {inner});
   }
 }
 
 Expr *Lowering::unary(const c::UnaryOperator *e) {
   Expr *inner = expr(e->getSubExpr());
   switch (e->getOpcode()) {
-  case c::UO_Deref: return node(Expr::Deref, e, {inner});
-  case c::UO_AddrOf: return node(Expr::AddressOf, e, {inner});
+  case c::UO_Deref:
+    return node(Expr::Deref, e, {inner});
+  case c::UO_AddrOf:
+    return node(Expr::AddressOf, e, {inner});
   case c::UO_PreInc:
   case c::UO_PreDec:
   case c::UO_PostInc:
@@ -341,7 +348,8 @@ Expr *Lowering::unary(const c::UnaryOperator *e) {
     n->prefix = e->isPrefix();
     return n;
   }
-  default: return node(Expr::Unary, e, {inner}, c::UnaryOperator::getOpcodeStr(e->getOpcode()).str());
+  default:
+    return node(Expr::Unary, e, {inner}, c::UnaryOperator::getOpcodeStr(e->getOpcode()).str());
   }
 }
 
@@ -394,7 +402,8 @@ Expr *Lowering::expr(const c::Expr *e) {
     n->var = reference(llvm::cast<c::VarDecl>(ref->getDecl()));
     return n;
   }
-  if (const auto *sub = llvm::dyn_cast<c::ArraySubscriptExpr>(e)) return node(Expr::Index, e, {expr(sub->getBase()), expr(sub->getIdx())});
+  if (const auto *sub = llvm::dyn_cast<c::ArraySubscriptExpr>(e))
+    return node(Expr::Index, e, {expr(sub->getBase()), expr(sub->getIdx())});
   if (const auto *member = llvm::dyn_cast<c::MemberExpr>(e)) {
     Expr *n = node(Expr::Member, e, {expr(member->getBase())}, member->getMemberDecl()->getNameAsString());
     n->arrow = member->isArrow();
@@ -421,8 +430,8 @@ Expr *Lowering::expr(const c::Expr *e) {
 
 } // namespace
 
-void lower(const Source &source, const Match &match, const std::vector<const c::FunctionDecl *> &functions, const std::string &modelName,
-           Program &program, Model &model) {
+void lower(const Source &source, const Match &match, const std::vector<const c::FunctionDecl *> &functions,
+           const std::string &modelName, Program &program, Model &model) {
   Lowering lowering(source, program);
   for (const c::FunctionDecl *f : functions) lowering.declare(f);
   for (const c::FunctionDecl *f : functions) lowering.define(f);

@@ -35,10 +35,14 @@ bool fitsRole(const clang::ParmVarDecl *param, ArgRole role) {
   clang::QualType type = param->getType();
   switch (role) {
   case ArgRole::Q:
-  case ArgRole::Qd: return isDoublePointer(type) || isDouble(type);
-  case ArgRole::Out: return isDoublePointer(type) && !type->getPointeeType().isConstQualified();
-  case ArgRole::T: return type->isSpecificBuiltinType(clang::BuiltinType::Double);
-  case ArgRole::Params: return type->isPointerType() && type->getPointeeType()->isStructureType();
+  case ArgRole::Qd:
+    return isDoublePointer(type) || isDouble(type);
+  case ArgRole::Out:
+    return isDoublePointer(type) && !type->getPointeeType().isConstQualified();
+  case ArgRole::T:
+    return type->isSpecificBuiltinType(clang::BuiltinType::Double);
+  case ArgRole::Params:
+    return type->isPointerType() && type->getPointeeType()->isStructureType();
   }
   return false;
 }
@@ -53,12 +57,15 @@ public:
     for (const FunctionOption &f : options_.holonomic) addNamed(Role::Holonomic, f.name, f.rows);
     for (const FunctionOption &f : options_.nonholonomic) addNamed(Role::Nonholonomic, f.name, f.rows);
     addMarked();
-    std::stable_sort(match_.functions.begin(), match_.functions.end(), [](const Matched &a, const Matched &b) { return a.role < b.role; });
+    std::stable_sort(match_.functions.begin(), match_.functions.end(),
+                     [](const Matched &a, const Matched &b) { return a.role < b.role; });
     checkLagrangian();
     match_.dof = count(options_.dof, options_.dof.empty() ? "no-dof" : "bad-dof", "--dof " + options_.dof);
     for (const FunctionOption &f : options_.recursion) {
-      if (const clang::FunctionDecl *function = source_.find(f.name)) match_.recursion[function] = count(f.rows, "bad-depth", "--recursion " + f.name + ":" + f.rows);
-      else diags_.add("no-function", options_.sources[0], 0, 0, "'" + f.name + "'");
+      if (const clang::FunctionDecl *function = source_.find(f.name))
+        match_.recursion[function] = count(f.rows, "bad-depth", "--recursion " + f.name + ":" + f.rows);
+      else
+        diags_.add("no-function", options_.sources[0], 0, 0, "'" + f.name + "'");
     }
     if (match_.dof.value > 0 || !match_.dof.member.empty())
       for (const Matched &m : match_.functions) checkCount(m);
@@ -77,11 +84,16 @@ private:
       std::string text = markOf(function), name = text.substr(0, text.find(':'));
       std::string rows = name.size() < text.size() ? text.substr(name.size() + 1) : "";
       if (text.empty()) continue;
-      if (name == "lagrangian") add(Role::Lagrangian, function, rows);
-      else if (name == "force") add(Role::Force, function, rows);
-      else if (name == "holonomic") add(Role::Holonomic, function, rows);
-      else if (name == "nonholonomic") add(Role::Nonholonomic, function, rows);
-      else source_.report("role-unknown", function->getASTContext(), function->getLocation(), "mark '" + text + "'");
+      if (name == "lagrangian")
+        add(Role::Lagrangian, function, rows);
+      else if (name == "force")
+        add(Role::Force, function, rows);
+      else if (name == "holonomic")
+        add(Role::Holonomic, function, rows);
+      else if (name == "nonholonomic")
+        add(Role::Nonholonomic, function, rows);
+      else
+        source_.report("role-unknown", function->getASTContext(), function->getLocation(), "mark '" + text + "'");
     }
   }
 
@@ -94,7 +106,8 @@ private:
     takeParams(m);
     if (role == Role::Holonomic || role == Role::Nonholonomic)
       m.rows = count(rows.empty() ? "1" : rows, "bad-rows", "'" + function->getNameAsString() + ":" + rows + "'");
-    else m.rows.value = 1;
+    else
+      m.rows.value = 1;
     bool returnsRow = function->getReturnType()->isSpecificBuiltinType(clang::BuiltinType::Double);
     if (returnsRow && !(m.rows.member.empty() && m.rows.value == 1))
       fault("role-missing", function, "'" + function->getNameAsString() + "' returns one row");
@@ -107,11 +120,15 @@ private:
     auto option = options_.args.find(name);
     if (option != options_.args.end()) text = option->second.role;
     if (text.empty()) text = name;
-    if (!parseRole(text, arg.role)) fault("role-unknown", param, "parameter '" + name + "'");
-    else if (!fitsRole(param, arg.role)) fault("role-type", param, "parameter '" + name + "' of type '" + param->getType().getAsString() + "'");
+    if (!parseRole(text, arg.role))
+      fault("role-unknown", param, "parameter '" + name + "'");
+    else if (!fitsRole(param, arg.role))
+      fault("role-type", param, "parameter '" + name + "' of type '" + param->getType().getAsString() + "'");
     bool coordinate = (arg.role == ArgRole::Q || arg.role == ArgRole::Qd) && isDouble(param->getType());
     auto sameRole = [&](const Arg &a) { return a.role == arg.role; };
-    if (coordinate) arg.index = option != options_.args.end() ? option->second.index : static_cast<int>(std::count_if(m.args.begin(), m.args.end(), sameRole));
+    if (coordinate)
+      arg.index = option != options_.args.end() ? option->second.index
+                                                : static_cast<int>(std::count_if(m.args.begin(), m.args.end(), sameRole));
     m.args.push_back(arg);
   }
 
@@ -120,7 +137,9 @@ private:
     for (ArgRole role : {ArgRole::Q, ArgRole::Qd}) {
       long count = std::count_if(m.args.begin(), m.args.end(), [&](const Arg &a) { return a.role == role && a.index >= 0; });
       if (count > 0 && !(match_.dof.member.empty() && match_.dof.value == count))
-        fault("bad-dof", m.function, "'" + m.function->getNameAsString() + "' takes " + std::to_string(count) + (role == ArgRole::Q ? " coordinates" : " velocities"));
+        fault("bad-dof", m.function,
+              "'" + m.function->getNameAsString() + "' takes " + std::to_string(count) +
+                  (role == ArgRole::Q ? " coordinates" : " velocities"));
     }
   }
 
@@ -128,18 +147,24 @@ private:
     bool seen[5] = {};
     for (size_t i = 0; i < m.args.size(); ++i) {
       bool &s = seen[static_cast<int>(m.args[i].role)];
-      bool twice = std::any_of(m.args.begin(), m.args.begin() + static_cast<long>(i), [&](const Arg &a) { return a.role == m.args[i].role && (a.index < 0 || a.index == m.args[i].index); });
-      if (twice || (s && m.args[i].index < 0)) fault("role-twice", m.function->getParamDecl(static_cast<unsigned>(i)), "parameter '" + m.function->getParamDecl(static_cast<unsigned>(i))->getNameAsString() + "'");
+      bool twice = std::any_of(m.args.begin(), m.args.begin() + static_cast<long>(i),
+                               [&](const Arg &a) { return a.role == m.args[i].role && (a.index < 0 || a.index == m.args[i].index); });
+      if (twice || (s && m.args[i].index < 0))
+        fault("role-twice", m.function->getParamDecl(static_cast<unsigned>(i)),
+              "parameter '" + m.function->getParamDecl(static_cast<unsigned>(i))->getNameAsString() + "'");
       s = true;
     }
     bool returns = m.function->getReturnType()->isSpecificBuiltinType(clang::BuiltinType::Double);
     bool out = seen[static_cast<int>(ArgRole::Out)];
     std::string name = "'" + m.function->getNameAsString() + "'";
-    if (returns == out || (!returns && !m.function->getReturnType()->isVoidType())) fault("role-missing", m.function, name + " has no result, or two");
+    if (returns == out || (!returns && !m.function->getReturnType()->isVoidType()))
+      fault("role-missing", m.function, name + " has no result, or two");
     if (m.role == Role::Force && !out) fault("role-missing", m.function, name + " has no 'out'");
-    if (!seen[static_cast<int>(ArgRole::Q)] && !seen[static_cast<int>(ArgRole::Qd)]) fault("role-missing", m.function, name + " takes no coordinates");
+    if (!seen[static_cast<int>(ArgRole::Q)] && !seen[static_cast<int>(ArgRole::Qd)])
+      fault("role-missing", m.function, name + " takes no coordinates");
     if (m.role == Role::Holonomic && seen[static_cast<int>(ArgRole::Qd)])
-      fault("role-missing", m.function, name + " takes velocities, so it is not holonomic: a constraint on velocities is --nonholonomic");
+      fault("role-missing", m.function,
+            name + " takes velocities, so it is not holonomic: a constraint on velocities is --nonholonomic");
   }
 
   void takeParams(const Matched &m) {
@@ -148,8 +173,11 @@ private:
       if (m.args[i].role != ArgRole::Params || !fitsRole(param, ArgRole::Params)) continue;
       const clang::RecordDecl *record = param->getType()->getPointeeType()->getAsStructureType()->getDecl()->getDefinition();
       if (!record) return fault("role-type", param, "parameter '" + param->getNameAsString() + "' of an incomplete struct");
-      if (!match_.params) match_.params = record;
-      else if (match_.params->getNameAsString() != record->getNameAsString() || match_.params->getASTContext().getTypeDeclType(match_.params).getAsString() != record->getASTContext().getTypeDeclType(record).getAsString())
+      if (!match_.params)
+        match_.params = record;
+      else if (match_.params->getNameAsString() != record->getNameAsString() ||
+               match_.params->getASTContext().getTypeDeclType(match_.params).getAsString() !=
+                   record->getASTContext().getTypeDeclType(record).getAsString())
         fault("params-differ", param, "parameter '" + param->getNameAsString() + "'");
     }
   }
@@ -162,7 +190,8 @@ private:
       if (slot) fault("role-twice", m.function, "'" + m.function->getNameAsString() + "' beside '" + slot->getNameAsString() + "'");
       slot = m.function;
     }
-    if (!first[0] && options_.lagrangian.empty()) diags_.add("no-lagrangian", options_.sources[0], 0, 0, "model '" + options_.model + "'");
+    if (!first[0] && options_.lagrangian.empty())
+      diags_.add("no-lagrangian", options_.sources[0], 0, 0, "model '" + options_.model + "'");
   }
 
   // A positive constant or an integer member of the parameter struct.
@@ -178,7 +207,9 @@ private:
     return c;
   }
 
-  void fault(const char *id, const clang::NamedDecl *at, const std::string &what) { source_.report(id, at->getASTContext(), at->getLocation(), what); }
+  void fault(const char *id, const clang::NamedDecl *at, const std::string &what) {
+    source_.report(id, at->getASTContext(), at->getLocation(), what);
+  }
 
   const Source &source_;
   const Options &options_;

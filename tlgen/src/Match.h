@@ -11,12 +11,12 @@ struct Matched {
   Role role;
   const clang::FunctionDecl *function;
   std::vector<Arg> args; // one per parameter
-  Count rows;                // forces: left to the number of coordinates
+  Count rows;            // forces: left to the number of coordinates
 };
 
 struct Match {
   Count dof;
-  std::vector<Matched> functions;                // Lagrangian first, then force, holonomic and nonholonomic in the order given
+  std::vector<Matched> functions; // Lagrangian first, then force, holonomic and nonholonomic in the order given
   const clang::RecordDecl *params = nullptr;
   std::map<const clang::FunctionDecl *, Count> recursion; // how deep helpers that call themselves may go
 };

@@ -20,10 +20,11 @@ bool reservedInside(const std::string &name) {
 
 // What math.h declares besides the functions of the algebra, POSIX's and older names included.
 bool inMathHeader(const std::string &name) {
-  static const std::set<std::string> others = {"ceil", "drem", "erfc", "fdim", "finite", "floor", "fmod", "frexp", "gamma", "ilogb",
-    "isinf", "isnan", "j0", "j1", "jn", "ldexp", "lgamma", "llrint", "llround", "logb", "lrint", "lround", "modf", "nan", "nearbyint",
-    "nextafter", "nexttoward", "remainder", "remquo", "rint", "round", "scalb", "scalbln", "scalbn", "signgam", "significand", "tgamma",
-    "trunc", "y0", "y1", "yn"};
+  static const std::set<std::string> others = {
+      "ceil",   "drem",    "erfc",        "fdim",      "finite",     "floor",     "fmod",   "frexp",   "gamma", "ilogb", "isinf",
+      "isnan",  "j0",      "j1",          "jn",        "ldexp",      "lgamma",    "llrint", "llround", "logb",  "lrint", "lround",
+      "modf",   "nan",     "nearbyint",   "nextafter", "nexttoward", "remainder", "remquo", "rint",    "round", "scalb", "scalbln",
+      "scalbn", "signgam", "significand", "tgamma",    "trunc",      "y0",        "y1",     "yn"};
   return findMath(name) || others.count(name);
 }
 

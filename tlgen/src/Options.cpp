@@ -56,7 +56,8 @@ FunctionOption splitRows(const std::string &text) {
 
 bool addArg(Options &o, const std::string &text) {
   size_t eq = text.find('=');
-  if (eq == std::string::npos || eq == 0 || eq + 1 == text.size()) return usageError("--arg wants ROLE=NAME, for example --arg q=theta");
+  if (eq == std::string::npos || eq == 0 || eq + 1 == text.size())
+    return usageError("--arg wants ROLE=NAME, for example --arg q=theta");
   std::string role = text.substr(0, eq);
   if (role != "q" && role != "qd" && role != "t" && role != "p" && role != "out")
     return usageError("--arg: '" + role + "' is no role; the roles are q, qd, t, p and out");
@@ -92,7 +93,8 @@ bool setOption(Options &o, const std::string &name, const std::string &value) {
 
 bool isIdentifier(const std::string &s) {
   for (size_t i = 0; i < s.size(); ++i)
-    if (!(isalpha(static_cast<unsigned char>(s[i])) || s[i] == '_' || (i > 0 && isdigit(static_cast<unsigned char>(s[i]))))) return false;
+    if (!(isalpha(static_cast<unsigned char>(s[i])) || s[i] == '_' || (i > 0 && isdigit(static_cast<unsigned char>(s[i])))))
+      return false;
   return !s.empty();
 }
 

@@ -25,7 +25,7 @@ struct Options {
   std::vector<FunctionOption> holonomic, nonholonomic;
   std::vector<FunctionOption> recursion; // rows: the depth
   std::map<std::string, ArgOption> args; // by parameter name
-  std::vector<std::string> compilerArgs;   // after --
+  std::vector<std::string> compilerArgs; // after --
   bool depfile = false;
 };
 

@@ -10,9 +10,10 @@ namespace tlgen {
 std::string operand(const Text &t, int least) { return t.precedence >= least ? t.s : "(" + t.s + ")"; }
 
 int precedenceOf(const std::string &op) {
-  static const std::map<std::string, int> table = {{"*", Product}, {"/", Product}, {"%", Product}, {"+", Sum}, {"-", Sum}, {"<<", Shift},
-      {">>", Shift}, {"<", Relation}, {">", Relation}, {"<=", Relation}, {">=", Relation}, {"==", Equality}, {"!=", Equality}, {"&", BitAnd},
-      {"^", BitXor}, {"|", BitOr}, {"&&", And}, {"||", Or}, {",", Sequence}};
+  static const std::map<std::string, int> table = {
+      {"*", Product},  {"/", Product},  {"%", Product},   {"+", Sum},       {"-", Sum},       {"<<", Shift},    {">>", Shift},
+      {"<", Relation}, {">", Relation}, {"<=", Relation}, {">=", Relation}, {"==", Equality}, {"!=", Equality}, {"&", BitAnd},
+      {"^", BitXor},   {"|", BitOr},    {"&&", And},      {"||", Or},       {",", Sequence}};
   auto it = table.find(op);
   return it == table.end() ? Assignment : it->second;
 }
@@ -26,7 +27,7 @@ Text binaryText(const std::string &op, const Text &a, const Text &b) {
   if (!arithmetic && p != And && p != Or) least = p == Relation || p == Equality ? Sum : Prefix;
   if (p == Or) least = Equality;
   int right = arithmetic ? p + 1 : least;
-  if (op == "," ) return {operand(a, Sequence) + ", " + operand(b, Assignment), p};
+  if (op == ",") return {operand(a, Sequence) + ", " + operand(b, Assignment), p};
   std::string left = operand(a, p == And && a.precedence == And ? And : p == Or && a.precedence == Or ? Or : p == And ? BitOr : least);
   std::string r = operand(b, p == And ? BitOr : right);
   return {left + " " + op + " " + r, p};
@@ -40,7 +41,8 @@ Text unaryText(const std::string &op, const Text &a) {
 
 std::string declaration(const Type *type, const std::string &name) {
   switch (type->kind) {
-  case Type::Array: return declaration(type->element, name + "[" + std::to_string(type->count) + "]");
+  case Type::Array:
+    return declaration(type->element, name + "[" + std::to_string(type->count) + "]");
   case Type::Pointer: {
     std::string inner = std::string("*") + (type->isConst ? "const " : "") + name;
     return declaration(type->element, type->element->kind == Type::Array ? "(" + inner + ")" : inner);
@@ -81,20 +83,30 @@ std::string initializer(const Expr *e) {
     for (size_t i = 0; i < e->args.size(); ++i) s += (i ? ", " : "") + (e->args[i] ? initializer(e->args[i]) : zeroItem(e->type, i));
     return s + (e->args.empty() ? "0}" : "}");
   }
-  case Expr::Literal: return e->text;
-  case Expr::Unary: return unaryText(e->text, {initializer(e->args[0]), e->args[0]->kind == Expr::Literal ? Primary : Sequence}).s;
-  case Expr::Binary: return "(" + initializer(e->args[0]) + " " + e->text + " " + initializer(e->args[1]) + ")";
-  case Expr::Cast: return "(" + declaration(e->type, "") + ")" + operand({initializer(e->args[0]), e->args[0]->kind == Expr::Literal ? Primary : Sequence}, Prefix);
-  case Expr::Conditional: return "(" + initializer(e->args[0]) + " ? " + initializer(e->args[1]) + " : " + initializer(e->args[2]) + ")";
+  case Expr::Literal:
+    return e->text;
+  case Expr::Unary:
+    return unaryText(e->text, {initializer(e->args[0]), e->args[0]->kind == Expr::Literal ? Primary : Sequence}).s;
+  case Expr::Binary:
+    return "(" + initializer(e->args[0]) + " " + e->text + " " + initializer(e->args[1]) + ")";
+  case Expr::Cast:
+    return "(" + declaration(e->type, "") + ")" +
+           operand({initializer(e->args[0]), e->args[0]->kind == Expr::Literal ? Primary : Sequence}, Prefix);
+  case Expr::Conditional:
+    return "(" + initializer(e->args[0]) + " ? " + initializer(e->args[1]) + " : " + initializer(e->args[2]) + ")";
   case Expr::MathCall: {
     std::string s = e->text + "(";
     for (size_t i = 0; i < e->args.size(); ++i) s += (i ? ", " : "") + initializer(e->args[i]);
     return s + ")";
   }
-  case Expr::Ref: return e->var->name;
-  case Expr::Index: return initializer(e->args[0]) + "[" + initializer(e->args[1]) + "]";
-  case Expr::Decay: return initializer(e->args[0]);
-  default: std::abort(); // Subset lets no other kind into a constant
+  case Expr::Ref:
+    return e->var->name;
+  case Expr::Index:
+    return initializer(e->args[0]) + "[" + initializer(e->args[1]) + "]";
+  case Expr::Decay:
+    return initializer(e->args[0]);
+  default:
+    std::abort(); // Subset lets no other kind into a constant
   }
 }
 

@@ -7,7 +7,24 @@
 namespace tlgen {
 
 // Binding strength of C operators, strongest first.
-enum Precedence { Primary = 16, Postfix = 15, Prefix = 14, Product = 12, Sum = 11, Shift = 10, Relation = 9, Equality = 8, BitAnd = 7, BitXor = 6, BitOr = 5, And = 4, Or = 3, Choice = 2, Assignment = 1, Sequence = 0 };
+enum Precedence {
+  Primary = 16,
+  Postfix = 15,
+  Prefix = 14,
+  Product = 12,
+  Sum = 11,
+  Shift = 10,
+  Relation = 9,
+  Equality = 8,
+  BitAnd = 7,
+  BitXor = 6,
+  BitOr = 5,
+  And = 4,
+  Or = 3,
+  Choice = 2,
+  Assignment = 1,
+  Sequence = 0
+};
 
 struct Text {
   std::string s;

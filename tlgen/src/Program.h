@@ -87,12 +87,12 @@ struct Stmt {
   // Case (expr null: default), Label and Goto stand between the statements of their Block.
   enum Kind { Block, Declare, Evaluate, If, While, DoWhile, For, Switch, Case, Label, Goto, Break, Continue, Return } kind = Block;
   Loc loc;
-  std::vector<Stmt *> body;            // Block
-  const Variable *var = nullptr;       // Declare
-  Expr *expr = nullptr;                // Declare: initialiser; If, Switch and loops: condition; Evaluate; Return; Case: its value
-  std::string label;                   // Label, Goto
-  Expr *step = nullptr;                // For
-  Stmt *init = nullptr;                // For: a Block of declarations or an Evaluate
+  std::vector<Stmt *> body;      // Block
+  const Variable *var = nullptr; // Declare
+  Expr *expr = nullptr;          // Declare: initialiser; If, Switch and loops: condition; Evaluate; Return; Case: its value
+  std::string label;             // Label, Goto
+  Expr *step = nullptr;          // For
+  Stmt *init = nullptr;          // For: a Block of declarations or an Evaluate
   Stmt *then = nullptr, *otherwise = nullptr; // If; loops and Switch keep their body in then
 };
 
@@ -133,7 +133,7 @@ struct Model {
   std::string name;
   Count dof;
   std::vector<ModelFunction> functions;
-  const Record *params = nullptr; // null where no function takes parameters
+  const Record *params = nullptr;              // null where no function takes parameters
   std::map<const Function *, Count> recursion; // how deep functions that call themselves may go
 };
 

@@ -30,8 +30,10 @@ const clang::FunctionDecl *Source::definition(const clang::FunctionDecl *declare
 void Source::report(const char *id, const clang::ASTContext &context, clang::SourceLocation at, const std::string &what) const {
   const clang::SourceManager &sm = context.getSourceManager();
   clang::PresumedLoc loc = sm.getPresumedLoc(sm.getExpansionLoc(at));
-  if (loc.isValid()) diags_.add(id, loc.getFilename(), loc.getLine(), loc.getColumn(), what);
-  else diags_.add(id, "", 0, 0, what);
+  if (loc.isValid())
+    diags_.add(id, loc.getFilename(), loc.getLine(), loc.getColumn(), what);
+  else
+    diags_.add(id, "", 0, 0, what);
 }
 
 } // namespace tlgen

@@ -89,7 +89,8 @@ public:
 
   bool VisitVarDecl(VarDecl *v) {
     std::string name = "'" + v->getNameAsString() + "'";
-    if (const char *id = refusedType(v->getType())) report(id, v->getLocation(), name + " of type '" + v->getType().getAsString() + "'");
+    if (const char *id = refusedType(v->getType()))
+      report(id, v->getLocation(), name + " of type '" + v->getType().getAsString() + "'");
     if (v->isStaticLocal() && !deepConst(v->getType())) report("global-state", v->getLocation(), "static variable " + name);
     if (v->hasExternalStorage()) report("global-state", v->getLocation(), "extern variable " + name);
     return true;
@@ -119,6 +120,8 @@ public:
 private:
   // The id of the message that refuses a statement or expression; null where it is accepted.
   const char *refusedStmt(const Stmt *s) const {
+    if (const auto *number = dyn_cast<FloatingLiteral>(s))
+      if (!number->getValue().isFinite()) return "not-finite";
     if (isa<IndirectGotoStmt>(s) || isa<AddrLabelExpr>(s)) return "goto";
     if (const auto *jump = dyn_cast<GotoStmt>(s)) return jumps_.count(jump) ? nullptr : "goto";
     if (const auto *choice = dyn_cast<SwitchCase>(s)) return cases_.count(choice) ? nullptr : "switch";
@@ -126,8 +129,8 @@ private:
     if (isa<LabelStmt>(s)) return nullptr;
     if (isa<AsmStmt>(s)) return "asm";
     if (isa<VAArgExpr>(s)) return "variadic";
-    if (isa<CompoundStmt>(s) || isa<DeclStmt>(s) || isa<IfStmt>(s) || isa<ForStmt>(s) || isa<WhileStmt>(s) || isa<DoStmt>(s) || isa<BreakStmt>(s) ||
-        isa<ContinueStmt>(s) || isa<ReturnStmt>(s) || isa<NullStmt>(s))
+    if (isa<CompoundStmt>(s) || isa<DeclStmt>(s) || isa<IfStmt>(s) || isa<ForStmt>(s) || isa<WhileStmt>(s) || isa<DoStmt>(s) ||
+        isa<BreakStmt>(s) || isa<ContinueStmt>(s) || isa<ReturnStmt>(s) || isa<NullStmt>(s))
       return nullptr;
     if (isa<CastExpr>(s)) return refusedCast(cast<CastExpr>(s));
     if (const auto *op = dyn_cast<UnaryOperator>(s)) return refusedUnary(op);
@@ -158,13 +161,29 @@ private:
 
   static const char *refusedCast(const CastExpr *c) {
     switch (c->getCastKind()) {
-    case CK_LValueToRValue: case CK_NoOp: case CK_ArrayToPointerDecay: case CK_FunctionToPointerDecay: case CK_IntegralCast:
-    case CK_IntegralToFloating: case CK_FloatingCast: case CK_FloatingToIntegral: case CK_IntegralToBoolean: case CK_FloatingToBoolean:
-    case CK_ToVoid: case CK_BuiltinFnToFnPtr: return refusedValue(c);
-    case CK_NullToPointer: case CK_PointerToBoolean: return "unsupported";
-    case CK_BitCast: return sameNumbers(c->getType(), c->getSubExpr()->getType()) ? nullptr : "pointer-cast";
-    case CK_IntegralToPointer: case CK_PointerToIntegral: return "pointer-cast";
-    default: return "unsupported";
+    case CK_LValueToRValue:
+    case CK_NoOp:
+    case CK_ArrayToPointerDecay:
+    case CK_FunctionToPointerDecay:
+    case CK_IntegralCast:
+    case CK_IntegralToFloating:
+    case CK_FloatingCast:
+    case CK_FloatingToIntegral:
+    case CK_IntegralToBoolean:
+    case CK_FloatingToBoolean:
+    case CK_ToVoid:
+    case CK_BuiltinFnToFnPtr:
+      return refusedValue(c);
+    case CK_NullToPointer:
+    case CK_PointerToBoolean:
+      return "unsupported";
+    case CK_BitCast:
+      return sameNumbers(c->getType(), c->getSubExpr()->getType()) ? nullptr : "pointer-cast";
+    case CK_IntegralToPointer:
+    case CK_PointerToIntegral:
+      return "pointer-cast";
+    default:
+      return "unsupported";
     }
   }
 
@@ -180,9 +199,14 @@ private:
 
   static const char *refusedUnary(const UnaryOperator *op) {
     switch (op->getOpcode()) {
-    case UO_Real: case UO_Imag: return "complex";
-    case UO_Extension: case UO_Coawait: return "unsupported";
-    default: return refusedValue(op);
+    case UO_Real:
+    case UO_Imag:
+      return "complex";
+    case UO_Extension:
+    case UO_Coawait:
+      return "unsupported";
+    default:
+      return refusedValue(op);
     }
   }
 
@@ -234,7 +258,8 @@ public:
     auto cycle = std::find(stack_.begin(), stack_.end(), function);
     if (cycle != stack_.end()) {
       bool bounded = std::any_of(cycle, stack_.end(), [&](const FunctionDecl *f) { return match_.recursion.count(f) > 0; });
-      if (!bounded) source_.report("recursion", function->getASTContext(), function->getLocation(), "'" + function->getNameAsString() + "'");
+      if (!bounded)
+        source_.report("recursion", function->getASTContext(), function->getLocation(), "'" + function->getNameAsString() + "'");
       return;
     }
     stack_.push_back(function);
@@ -244,7 +269,8 @@ public:
     for (ParmVarDecl *param : function->parameters()) walker.VisitVarDecl(param);
     walker.TraverseStmt(function->getBody());
     std::vector<const FunctionDecl *> ordered(callees.begin(), callees.end());
-    std::sort(ordered.begin(), ordered.end(), [](const FunctionDecl *a, const FunctionDecl *b) { return a->getNameAsString() < b->getNameAsString(); });
+    std::sort(ordered.begin(), ordered.end(),
+              [](const FunctionDecl *a, const FunctionDecl *b) { return a->getNameAsString() < b->getNameAsString(); });
     for (const FunctionDecl *callee : ordered) visit(callee);
     stack_.pop_back();
     done_.insert(function);
@@ -258,10 +284,13 @@ private:
     std::string name = "'" + f->getNameAsString() + "'";
     if (f->isVariadic()) source_.report("variadic", f->getASTContext(), f->getLocation(), name);
     QualType result = f->getReturnType();
-    if (result->isPointerType()) source_.report("return-pointer", f->getASTContext(), f->getLocation(), name);
-    else if (!result->isVoidType() && holdsPointer(result)) source_.report("return-pointer", f->getASTContext(), f->getLocation(), name);
+    if (result->isPointerType())
+      source_.report("return-pointer", f->getASTContext(), f->getLocation(), name);
+    else if (!result->isVoidType() && holdsPointer(result))
+      source_.report("return-pointer", f->getASTContext(), f->getLocation(), name);
     else if (!result->isVoidType())
-      if (const char *id = refusedType(result)) source_.report(id, f->getASTContext(), f->getLocation(), name + " returns '" + result.getAsString() + "'");
+      if (const char *id = refusedType(result))
+        source_.report(id, f->getASTContext(), f->getLocation(), name + " returns '" + result.getAsString() + "'");
   }
 
   const Source &source_;

@@ -7,11 +7,15 @@ static void exchange(double **a, double **b) {
   *b = keep;
 }
 
+static double square(double x) { return x * x; }
+
 double lagrangian(const double *q, const double *qd) {
   const double *rows[2] = {q, qd}, *walk = q, **at = &walk;
   double even[2] = {0, 1}, odd[2] = {2, 3}, *pair[2] = {even, odd};
   double s = 0;
   for (int i = 0; i < 4; i++) s += rows[i % 2][i / 2] * (i + 1);
+  const double *picked = square(q[0]) > 0.25 ? &rows[(int)(square(2) > 3)][square(q[1]) > 0.3] : qd;
+  s += picked[0];
   next(at);
   even[0] = walk[0] * qd[0];
   exchange(&pair[0], &pair[1]);
