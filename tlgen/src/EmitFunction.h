@@ -129,7 +129,7 @@ private:
   int temporaries_ = 0, temporariesUsed_ = 0, freshNames_ = 0;
   Frame frame_;
   struct Scope {
-    enum Kind { Plain, Loop, Choice } kind;
+    enum Kind { Plain, Loop, Switch } kind;
     std::string mark; // where the frame stack stood, in a block with arrays of variable length
   };
   std::vector<Scope> scopes_;

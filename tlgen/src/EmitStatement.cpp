@@ -39,7 +39,7 @@ void FunctionEmitter::leave(bool loopOnly) {
   std::string outermost;
   for (auto scope = scopes_.rbegin(); scope != scopes_.rend(); ++scope) {
     if (!scope->mark.empty()) outermost = scope->mark;
-    if (scope->kind == Scope::Loop || (scope->kind == Scope::Choice && !loopOnly)) break;
+    if (scope->kind == Scope::Loop || (scope->kind == Scope::Switch && !loopOnly)) break;
   }
   if (!outermost.empty()) line("cx->top = " + outermost + ";");
 }
@@ -48,7 +48,7 @@ std::string FunctionEmitter::nameOf(const Stmt *label) { return label->label + "
 
 void FunctionEmitter::choose(const Stmt *s) {
   line("switch (" + value(s->expr).s + ") {");
-  scopes_.push_back({Scope::Choice, ""});
+  scopes_.push_back({Scope::Switch, ""});
   const Stmt *before = nullptr;
   for (const Stmt *part : s->then->body) {
     if (part->kind == Stmt::Case) {
