@@ -5,10 +5,10 @@
 
 #include <math.h>
 
-enum {
-  MOST_POINTS = 800, /* of one curve: more cannot be told apart in a figure */
-  MOST_NAMES = 24    /* of curves, in the legend: more do not fit beside it */
-};
+enum { MOST_NAMES = 24 /* of curves, in the legend: more do not fit beside it */ };
+
+/* Between the times of two points of a curve: closer ones cannot be told apart on a logarithmic axis. */
+static const double point_ratio = 1.01;
 
 /* Stands for an error of zero on a logarithmic axis: less than any rounding error here. */
 static const double zero_mark = 1e-18;
@@ -24,17 +24,14 @@ enum { COLOURS = sizeof colours / sizeof colours[0] };
 static int energy_column(const run *r) { return run_width(r) - 1; }
 static int orthogonality_column(const run *r) { return run_width(r); }
 
-static bool in_script(const run *r, long k) {
-  long stride = 1 + r->nrow / MOST_POINTS;
-  return k % stride == 0 || k == r->nrow - 1;
-}
-
 static void print_data(FILE *script, const run *r, int number) {
   int width = run_width(r);
   fprintf(script, "$run%d << EOD\n", number);
+  double next = 0.0;
   for (long k = 0; k < r->nrow; k++) {
-    if (!in_script(r, k)) continue;
     const double *row = r->rows + k * width, energy = row[width - 2], orthogonality = row[width - 1];
+    if (row[0] < next && k + 1 < r->nrow) continue;
+    next = row[0] * point_ratio;
     fprintf(script, "%.8g", row[0]);
     for (int i = 1; i < width - 2; i++) fprintf(script, " %.6g", row[i]);
     fprintf(script, " %.6g %.6g\n", fmax(energy, zero_mark), fmax(orthogonality, zero_mark));
