@@ -1,4 +1,4 @@
-/* The planar N-pendulum in absolute angles: jet model by hand, and the same in closed form in __float128. */
+/* The planar N-pendulum in absolute angles as a jet model by hand. */
 #ifndef TEST_PENDULUM_MODEL_H
 #define TEST_PENDULUM_MODEL_H
 
@@ -10,8 +10,5 @@ typedef struct pendulum {
 } pendulum;
 
 extern const eom_model pendulum_model; /* params: struct pendulum */
-
-/* qdd (n), its derivative dqdd_dy (n x 2n) and the energy from hand-derived formulas in quadruple precision; either may be null. */
-void pendulum_truth(const pendulum *p, const double *q, const double *qd, double *qdd, double *dqdd_dy, double *energy);
 
 #endif

@@ -3,8 +3,8 @@
  *   M_ij = (N - max(i,j) + 1) cos(q_i - q_j)                                       (i, j from 1)
  *   sum_j M_ij qdd_j = -sum_j (N - max(i,j) + 1) sin(q_i - q_j) qd_j^2 - (N - i + 1) g sin q_i =: Q_i
  *   M d(qdd) = dQ - dM qdd */
+#include "pendulum_truth.h"
 #include "kkt_truth.h"
-#include "pendulum_model.h"
 
 #include <stdlib.h>
 
@@ -50,17 +50,16 @@ static quad energy_of(int n, quad g, const double *q, const double *qd, const qu
   return e;
 }
 
-void pendulum_truth(const pendulum *p, const double *q, const double *qd, double *qdd, double *dqdd_dy, double *energy) {
-  const int n = p->n;
+void pendulum_truth(int n, double g, const double *q, const double *qd, double *qdd, double *dqdd_dy, double *energy) {
   const size_t count = (size_t)n;
   quad *M = malloc(count * count * sizeof(quad)), *a = malloc(count * sizeof(quad)), *R = malloc(2 * count * count * sizeof(quad));
   mass(n, q, M);
-  if (energy) *energy = (double)energy_of(n, (quad)p->g, q, qd, M);
-  force(n, (quad)p->g, q, qd, a);
+  if (energy) *energy = (double)energy_of(n, (quad)g, q, qd, M);
+  force(n, (quad)g, q, qd, a);
   gauss(n, M, 1, a);
   for (int i = 0; qdd && i < n; i++) qdd[i] = (double)a[i];
   if (dqdd_dy) {
-    derivative(n, (quad)p->g, q, qd, a, R);
+    derivative(n, (quad)g, q, qd, a, R);
     mass(n, q, M);
     gauss(n, M, 2 * n, R);
     for (int i = 0; i < 2 * n * n; i++) dqdd_dy[i] = (double)R[i];
