@@ -39,6 +39,7 @@ tl_real *tl_push(tl_ctx *cx, size_t njet) {
   }
   tl_real *frame = cx->top;
   cx->top += njet * ncoef;
+  for (tl_real *x = frame; x < cx->top; x++) *x = (tl_real)NAN;
   return frame;
 }
 

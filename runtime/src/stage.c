@@ -32,10 +32,22 @@ void eom_stage_seed(eom_system *sys, eom_stage_id id, const tl_real *q, const tl
   seed_coordinate(cx, ws->jet_t, t, TL_C(1.0), TL_C(0.0), -1);
 }
 
+/* A function that leaves a row unwritten must not find an earlier result there: such a row is no force, and any other function's fault.
+ */
 eom_status eom_stage_run(eom_system *sys, const eom_function *function) {
   eom_workspace *ws = sys->workspace;
+  const int rows = function->rows(sys->params), ncoef = ws->cx.shape->ncoef;
+  const tl_real unwritten = function == &sys->model->force ? TL_C(0.0) : (tl_real)NAN;
+  for (int i = 0; i < rows * ncoef; i++) ws->jet_out[i] = unwritten;
   function->jet(&ws->cx, ws->jet_out, ws->jet_q, ws->jet_qd, ws->jet_t, sys->params);
-  return eom_jet_verdict(sys, function, ws->cx.status);
+  if (eom_jet_verdict(sys, function, ws->cx.status) != EOM_OK) return sys->report.status;
+  for (int row = 0; row < rows; row++)
+    if (eom_check_finite(sys, function->name, ws->jet_out + row * ncoef, ncoef) != EOM_OK) {
+      sys->report.source = function->source;
+      sys->report.index = row;
+      return EOM_NOT_FINITE;
+    }
+  return EOM_OK;
 }
 
 eom_status eom_jet_verdict(eom_system *sys, const eom_function *function, tl_status jet) {

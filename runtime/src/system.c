@@ -106,7 +106,7 @@ static int count_rows(const eom_function *list, int count, const void *params) {
 }
 
 static bool plan_sizes(eom_system *sys, const eom_model *model, const void *params) {
-  if (!model || !model->dof || (model->params_size > 0 && !params)) return false;
+  if (!model || !model->dof) return false;
   sys->model = model;
   sys->params = params;
   sys->n = model->dof(params);
@@ -228,6 +228,7 @@ static bool plan_memory(const eom_system *sys, eom_workspace *ws) {
 static eom_status plan(eom_system *sys, eom_workspace *ws, const eom_model *model, const void *params, const eom_options *options) {
   *sys = (eom_system){0};
   *ws = (eom_workspace){0};
+  if (model && model->params_size > 0 && !params) return EOM_NO_PARAMS;
   if (!plan_sizes(sys, model, params)) return EOM_BAD_MODEL;
   if (!plan_options(sys, options)) return EOM_BAD_OPTION;
   ws->linalg = choose_linalg(sys);

@@ -35,7 +35,7 @@ static void impossible_models(void **state) {
   (void)state;
   const pendulum none = {0, 9.81}, one = {1, 9.81};
   assert_int_equal(create_and_destroy(NULL, NULL, NULL), EOM_BAD_MODEL);
-  assert_int_equal(create_and_destroy(&pendulum_model, NULL, NULL), EOM_BAD_MODEL);
+  assert_int_equal(create_and_destroy(&pendulum_model, NULL, NULL), EOM_NO_PARAMS);
   assert_int_equal(create_and_destroy(&pendulum_model, &none, NULL), EOM_BAD_MODEL);
   eom_model m = pendulum_model;
   m.dof = minus_one;

@@ -46,10 +46,16 @@ private:
     return file.size() > 2 && file.compare(file.size() - 2, 2, ".c") == 0;
   }
 
+  // Several models may be made of one file, and their headers included together.
+  static std::string guarded(const Record *r) {
+    std::string guard = "TLGEN_STRUCT_" + (r->tag.empty() ? r->spelling : r->tag);
+    return "#ifndef " + guard + "\n#define " + guard + "\n" + definition(r) + "#endif\n\n";
+  }
+
   std::string records(bool header) const {
     std::string s;
     for (const Record *r : program_.records)
-      if (inHeader(r) == header) s += definition(r) + "\n";
+      if (inHeader(r) == header) s += header ? guarded(r) : definition(r) + "\n";
     return s;
   }
 

@@ -13,7 +13,7 @@ namespace {
 
 namespace tooling = clang::tooling;
 
-// Clang's own errors become located messages; its warnings are the business of the user's compiler.
+// Clang's own errors become located messages; most warnings are the business of the user's compiler.
 class Collector : public clang::DiagnosticConsumer {
 public:
   explicit Collector(Diagnostics &diags) : diags_(diags) {}
@@ -28,10 +28,15 @@ public:
       clang::PresumedLoc loc = info.getSourceManager().getPresumedLoc(info.getLocation());
       if (loc.isValid()) file = loc.getFilename(), line = loc.getLine(), column = loc.getColumn();
     }
-    diags_.add("syntax", file, line, column, text.str().str());
+    diags_.add(idOf(info.getID()), file, line, column, text.str().str());
   }
 
 private:
+  static const char *idOf(unsigned clangId) {
+    std::string option = clang::DiagnosticIDs::getWarningOptionForDiag(clangId).str();
+    return option == "uninitialized" ? "uninitialized" : option == "array-bounds" ? "index-range" : "syntax";
+  }
+
   Diagnostics &diags_;
 };
 
@@ -44,7 +49,10 @@ std::unique_ptr<tooling::CompilationDatabase> makeDatabase(const Options &o, Dia
 }
 
 tooling::ArgumentsAdjuster ownArguments(const Options &o) {
-  std::vector<std::string> before = {"-xc", "-D__TLGEN__=1", "-DNDEBUG", "-Wno-everything", "-ferror-limit=0"};
+  std::vector<std::string> before = {"-xc", "-D__TLGEN__=1", "-DNDEBUG", "-ferror-limit=0", "-Wno-everything"};
+  // Of Clang's warnings those that mean a wrong number.
+  for (const char *fault : {"uninitialized", "array-bounds", "return-type", "implicit-function-declaration"})
+    before.push_back(std::string("-Werror=") + fault);
   if (llvm::sys::fs::is_directory(TLGEN_RESOURCE_DIR)) before.push_back("-resource-dir=" TLGEN_RESOURCE_DIR);
   auto adjuster = tooling::combineAdjusters(tooling::getClangStripOutputAdjuster(), tooling::getClangStripDependencyFileAdjuster());
   adjuster = tooling::combineAdjusters(adjuster, tooling::getInsertArgumentAdjuster(before, tooling::ArgumentInsertPosition::BEGIN));

@@ -3,6 +3,7 @@
 
 #include "clang/AST/ASTContext.h"
 #include "clang/AST/Attr.h"
+#include "clang/AST/RecursiveASTVisitor.h"
 
 #include <algorithm>
 
@@ -47,6 +48,28 @@ bool fitsRole(const clang::ParmVarDecl *param, ArgRole role) {
   return false;
 }
 
+// Constant indices into an array parameter of known length.
+class IndexCheck : public clang::RecursiveASTVisitor<IndexCheck> {
+public:
+  IndexCheck(const Source &source, const clang::ParmVarDecl *param, long length) : source_(source), param_(param), length_(length) {}
+
+  bool VisitArraySubscriptExpr(clang::ArraySubscriptExpr *e) {
+    const auto *base = llvm::dyn_cast<clang::DeclRefExpr>(e->getBase()->IgnoreParenImpCasts());
+    clang::Expr::EvalResult index;
+    if (!base || base->getDecl() != param_ || !e->getIdx()->EvaluateAsInt(index, param_->getASTContext())) return true;
+    int64_t i = index.Val.getInt().getExtValue();
+    if (i < 0 || i >= length_)
+      source_.report("index-range", param_->getASTContext(), e->getExprLoc(),
+                     "'" + param_->getNameAsString() + "[" + std::to_string(i) + "]' of " + std::to_string(length_));
+    return true;
+  }
+
+private:
+  const Source &source_;
+  const clang::ParmVarDecl *param_;
+  long length_;
+};
+
 class Matcher {
 public:
   Matcher(const Source &source, const Options &options, Diagnostics &diags) : source_(source), options_(options), diags_(diags) {}
@@ -60,7 +83,8 @@ public:
     std::stable_sort(match_.functions.begin(), match_.functions.end(),
                      [](const Matched &a, const Matched &b) { return a.role < b.role; });
     checkLagrangian();
-    match_.dof = count(options_.dof, options_.dof.empty() ? "no-dof" : "bad-dof", "--dof " + options_.dof);
+    match_.dof = count(options_.dof, options_.dof.empty() ? "no-dof" : "bad-dof",
+                       options_.dof.empty() ? "model '" + options_.model + "'" : "--dof " + options_.dof);
     for (const FunctionOption &f : options_.recursion) {
       if (const clang::FunctionDecl *function = source_.find(f.name))
         match_.recursion[function] = count(f.rows, "bad-depth", "--recursion " + f.name + ":" + f.rows);
@@ -68,7 +92,7 @@ public:
         diags_.add("no-function", options_.sources[0], 0, 0, "'" + f.name + "'");
     }
     if (match_.dof.value > 0 || !match_.dof.member.empty())
-      for (const Matched &m : match_.functions) checkCount(m);
+      for (const Matched &m : match_.functions) checkCount(m), checkArrays(m);
     return match_;
   }
 
@@ -101,8 +125,9 @@ private:
     for (const Matched &m : match_.functions)
       if (m.role == role && m.function == function) return; // named and marked
     Matched m{role, function, {}, {}};
-    for (const clang::ParmVarDecl *param : function->parameters()) addArg(m, param);
-    checkArgs(m);
+    bool known = true;
+    for (const clang::ParmVarDecl *param : function->parameters()) known &= addArg(m, param);
+    if (known) checkArgs(m);
     takeParams(m);
     if (role == Role::Holonomic || role == Role::Nonholonomic)
       m.rows = count(rows.empty() ? "1" : rows, "bad-rows", "'" + function->getNameAsString() + ":" + rows + "'");
@@ -114,13 +139,15 @@ private:
     match_.functions.push_back(m);
   }
 
-  void addArg(Matched &m, const clang::ParmVarDecl *param) {
+  // False where it is not known what the parameter is.
+  bool addArg(Matched &m, const clang::ParmVarDecl *param) {
     Arg arg{ArgRole::Q, -1};
     std::string name = param->getNameAsString(), text = markOf(param);
     auto option = options_.args.find(name);
     if (option != options_.args.end()) text = option->second.role;
     if (text.empty()) text = name;
-    if (!parseRole(text, arg.role))
+    bool known = parseRole(text, arg.role);
+    if (!known)
       fault("role-unknown", param, "parameter '" + name + "'");
     else if (!fitsRole(param, arg.role))
       fault("role-type", param, "parameter '" + name + "' of type '" + param->getType().getAsString() + "'");
@@ -130,6 +157,29 @@ private:
       arg.index = option != options_.args.end() ? option->second.index
                                                 : static_cast<int>(std::count_if(m.args.begin(), m.args.end(), sameRole));
     m.args.push_back(arg);
+    return known;
+  }
+
+  // How many numbers an array parameter has, where that is a constant; 0 where it is not known here.
+  long lengthOf(const Matched &m, ArgRole role) const {
+    const Count &count = role == ArgRole::Out && m.role != Role::Force && m.role != Role::Lagrangian ? m.rows : match_.dof;
+    if (role == ArgRole::Out && m.role == Role::Lagrangian) return 1;
+    return count.member.empty() ? count.value : 0;
+  }
+
+  // Declared lengths and constant indices of the array parameters.
+  void checkArrays(const Matched &m) {
+    for (size_t i = 0; i < m.args.size(); ++i) {
+      const clang::ParmVarDecl *param = m.function->getParamDecl(static_cast<unsigned>(i));
+      if (m.args[i].index >= 0 || !isDoublePointer(param->getType())) continue;
+      long length = lengthOf(m, m.args[i].role);
+      const auto *declared = param->getASTContext().getAsConstantArrayType(param->getOriginalType());
+      if (length && declared && static_cast<long>(declared->getSize().getZExtValue()) != length)
+        fault("index-range", param,
+              "'" + param->getNameAsString() + "' is declared with " + std::to_string(declared->getSize().getZExtValue()) +
+                  " numbers and has " + std::to_string(length));
+      if (length) IndexCheck(source_, param, length).TraverseStmt(m.function->getBody());
+    }
   }
 
   // Coordinates that are passed one by one must be as many as the model has.
@@ -162,6 +212,8 @@ private:
     if (m.role == Role::Force && !out) fault("role-missing", m.function, name + " has no 'out'");
     if (!seen[static_cast<int>(ArgRole::Q)] && !seen[static_cast<int>(ArgRole::Qd)])
       fault("role-missing", m.function, name + " takes no coordinates");
+    if (m.role == Role::Nonholonomic && !seen[static_cast<int>(ArgRole::Qd)])
+      fault("role-missing", m.function, name + " takes no velocities, so it is holonomic: say --holonomic");
     if (m.role == Role::Holonomic && seen[static_cast<int>(ArgRole::Qd)])
       fault("role-missing", m.function,
             name + " takes velocities, so it is not holonomic: a constraint on velocities is --nonholonomic");

@@ -64,7 +64,8 @@ void tl_ctx_clear(tl_ctx *cx);
 /* Records a failure; the first one keeps function and line. */
 void tl_fail(tl_ctx *cx, unsigned bits, tl_fn function);
 
-/* A frame of njet uninitialised jets on the stack, or null with status TL_NO_SPACE. tl_pop gives the same number back. */
+/* A frame of njet jets on the stack, filled with NaN so that one which is read before it is written sets TL_NONFINITE; or null with
+ * status TL_NO_SPACE. tl_pop gives the same number back. */
 tl_real *tl_push(tl_ctx *cx, size_t njet);
 void tl_pop(tl_ctx *cx, size_t njet);
 

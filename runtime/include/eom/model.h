@@ -5,7 +5,8 @@
 #include "taylor/context.h"
 
 /* A source function carried over to jets, in any shape of cx.
- *   out      its results: rows jets
+ *   out      its results: rows jets; the runtime sets a force's to zero and all others to NaN before the call, so that a row which the
+ *            function leaves unwritten is no force, and elsewhere an error that names the row
  *   q, qd    coordinates and velocities: n jets each
  *   t        time: one jet
  *   params   the user's parameter struct (null where the model has none)

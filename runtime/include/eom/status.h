@@ -12,6 +12,7 @@ extern "C" {
 #define EOM_STATUSES(X)                                                                                                                \
   X(OK, "no failure")                                                                                                                  \
   X(BAD_MODEL, "the model is incomplete or has impossible sizes")                                                                      \
+  X(NO_PARAMS, "the model has a parameter struct, and none was given")                                                                 \
   X(BAD_OPTION, "an option is outside its range")                                                                                      \
   X(NO_MEMORY, "the memory is too small or could not be allocated")                                                                    \
   X(DOMAIN, "a model function does not exist, or has no derivative, at this state")                                                    \

@@ -76,8 +76,8 @@ static const tl_real *result(const evaluation *e, int row) { return e->out + (pt
 
 static void evaluate(const checked *f, evaluation *e) {
   tl_ctx cx;
-  for (size_t i = 0; i < e->nreal; i++) e->memory[i] = NAN;
-  for (int i = 0; i < f->rows * e->shape.ncoef; i++) e->out[i] = NAN;
+  for (size_t i = 0; i < e->nreal; i++) e->memory[i] = (tl_real)NAN;
+  for (int i = 0; i < f->rows * e->shape.ncoef; i++) e->out[i] = (tl_real)NAN;
   tl_ctx_init(&cx, &e->shape, e->memory, e->nreal);
   f->function->jet(&cx, e->out, e->seeds, seed(e, f->n), seed(e, 2 * f->n), plain_params());
   if (cx.status.bits != TL_OK)

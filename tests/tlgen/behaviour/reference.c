@@ -11,7 +11,7 @@
 
 enum { MAX_ROWS = 16, MAX_VARIABLES = 33, MAX_ORDER = 3 };
 
-static const __float128 step = 1e-5;
+static const __float128 step = (__float128)1e-5;
 
 static void difference(__float128 *out, int rows, int function, int n, __float128 *x, int order, const int *index) {
   static const struct {

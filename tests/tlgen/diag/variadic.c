@@ -1,4 +1,5 @@
 #include <stdarg.h>
+/* tlgen: --lagrangian L --dof 2 */
 static double sum(int n, ...) /* expect: variadic */
 {
   double s = 0.0;

@@ -4,12 +4,15 @@
 
 #include "eom/model.h"
 
+#ifndef TLGEN_STRUCT_linkage
+#define TLGEN_STRUCT_linkage
 struct linkage {
   int coordinates;
   int links;
   double length[2];
   double ratio;
 };
+#endif
 
 #ifdef __cplusplus
 extern "C" {

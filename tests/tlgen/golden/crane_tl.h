@@ -4,17 +4,23 @@
 
 #include "eom/model.h"
 
+#ifndef TLGEN_STRUCT_point
+#define TLGEN_STRUCT_point
 typedef struct {
   double x;
   double y;
 } point;
+#endif
 
+#ifndef TLGEN_STRUCT_crane
+#define TLGEN_STRUCT_crane
 struct crane {
   double mass;
   double load;
   double gravity;
   int sections;
 };
+#endif
 
 #ifdef __cplusplus
 extern "C" {

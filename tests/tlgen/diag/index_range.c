@@ -1,0 +1,12 @@
+/* Indices and lengths that do not fit: of the coordinates, of the results, of a local array. */
+/* tlgen: --lagrangian L --dof 2 --holonomic phi:2 */
+double L(const double *q, const double qd[3]) /* expect: index-range */
+{
+  return qd[1] * qd[-1] + q[2]; /* expect: index-range */
+}
+enum { LAST = 2 };
+void phi(const double *q, double *out)
+{
+  out[0] = q[0];
+  out[LAST] = q[1]; /* expect: index-range */
+}
