@@ -3,6 +3,7 @@
 #include "common/interrupt.h"
 #include "common/message.h"
 #include "common/options.h"
+#include "common/output.h"
 #include "orbit.h"
 
 #include <math.h>
@@ -71,6 +72,7 @@ int main(int argc, char **argv) {
   if (ask.step > length) usage_error("--step %g is longer than the orbit of %g s; take a shorter one", ask.step, length);
   if (ask.step > 0.0 && length / ask.step > most_steps) usage_error("--step %g: that makes more than %g steps", ask.step, most_steps);
   watch_interrupts();
+  if (ask.csv != NULL && output_check(ask.csv) != 0) return EXIT_FAILED;
   printf("Central field in (r, u), T %s\n\n", kind == KINETIC_FULL ? "= m/2 |d(r u)/dt|^2" : "= m/2 (rd^2 + r^2 |ud|^2)");
   int status = print_agreement(ask.kind) == 0 ? EXIT_DONE : EXIT_FAILED;
   putchar('\n');

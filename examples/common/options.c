@@ -25,7 +25,7 @@ static void print_option(const char *name, const char *operand, const char *help
 static noreturn void print_manual(const option *table, int count, const manual *text) {
   printf("Usage: %s [options]\n\n%s\nOptions\n", program, text->summary);
   for (int i = 0; i < count; i++) print_option(table[i].name, table[i].operand, table[i].help);
-  print_option("--help", NULL, "print this text");
+  print_option("-h, --help", NULL, "print this text");
   printf("\nExamples\n%s", text->examples);
   exit(finish_stdout() == 0 ? EXIT_DONE : EXIT_FAILED);
 }
@@ -115,7 +115,7 @@ void read_options(int argc, char **argv, const option *table, int count, const m
   for (int i = 1; i < argc; i++) {
     size_t length = strcspn(argv[i], "=");
     const char *attached = argv[i][length] == '=' ? argv[i] + length + 1 : NULL;
-    if (strcmp(argv[i], "--help") == 0) print_manual(table, count, text);
+    if (strcmp(argv[i], "--help") == 0 || strcmp(argv[i], "-h") == 0) print_manual(table, count, text);
     const option *o = find(argv[i], length, table, count);
     if (o == NULL) unknown(argv[i], length, table, count);
     if (o->kind == OPTION_FLAG && attached != NULL) usage_error("%s takes no value", o->name);

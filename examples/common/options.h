@@ -30,7 +30,7 @@ typedef struct manual {
 } manual;
 
 /* Reads "--name value" and "--name=value" into the values of the table (count options). Prints the manual and exits with status 0 at
- * --help; prints what is wrong and what to write instead and exits with EXIT_USAGE at anything that does not fit. */
+ * --help or -h; prints what is wrong and what to write instead and exits with EXIT_USAGE at anything that does not fit. */
 void read_options(int argc, char **argv, const option *table, int count, const manual *text);
 
 #endif

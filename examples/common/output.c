@@ -6,7 +6,6 @@
 #include <errno.h>
 #include <fcntl.h>
 #include <float.h>
-#include <stdbool.h>
 #include <stdlib.h>
 #include <string.h>
 #include <sys/stat.h>
@@ -51,6 +50,47 @@ int output_open(output *o, const char *target) {
     if (o->final != NULL) o->file = open_temporary(o);
   }
   return o->file != NULL ? 0 : failed(o);
+}
+
+int output_check(const char *target) {
+  struct stat info;
+  output o = {.target = target};
+  bool direct = stat(target, &info) == 0 && !S_ISREG(info.st_mode) && !S_ISDIR(info.st_mode);
+  if (direct) return access(target, W_OK) == 0 ? 0 : failed(&o); /* to open a pipe would already tell its reader something */
+  if (output_open(&o, target) != 0) return -1;
+  output_discard(&o);
+  return 0;
+}
+
+/* The folder that holds a path's last name, to be freed; that name begins at *name. Null where there is no such folder. */
+static char *folder_of(const char *path, const char **name) {
+  const char *slash = strrchr(path, '/');
+  *name = slash != NULL ? slash + 1 : path;
+  char *written = slash != NULL ? strndup(path, (size_t)(*name - path)) : strdup(".");
+  char *folder = written != NULL ? realpath(written, NULL) : NULL;
+  free(written);
+  return folder;
+}
+
+/* Where a path leads to, without links, to be freed; null where not even its folder is there. */
+static char *resolve(const char *path) {
+  char *whole = realpath(path, NULL);
+  if (whole != NULL) return whole;
+  const char *name;
+  char *folder = folder_of(path, &name);
+  size_t size = folder != NULL ? strlen(folder) + strlen(name) + 2 : 0;
+  if (folder != NULL) whole = malloc(size);
+  if (whole != NULL) snprintf(whole, size, "%s/%s", folder, name);
+  free(folder);
+  return whole;
+}
+
+bool output_same(const char *a, const char *b) {
+  char *x = resolve(a), *y = resolve(b);
+  bool same = strcmp(a, b) == 0 || (x != NULL && y != NULL && strcmp(x, y) == 0);
+  free(x);
+  free(y);
+  return same;
 }
 
 void output_number(output *o, double x) {

@@ -2,6 +2,7 @@
 #ifndef COMMON_OUTPUT_H
 #define COMMON_OUTPUT_H
 
+#include <stdbool.h>
 #include <stdio.h>
 
 /* A file being written: a temporary beside the target, renamed to it at the end. A target that is no plain file (a pipe, /dev/stdout)
@@ -18,6 +19,12 @@ typedef struct output {
 int output_open(output *o, const char *target);
 int output_flush(output *o);  /* hands what was printed to the system, so that a full disk shows at once */
 int output_commit(output *o); /* closes the file and puts it in place */
+
+/* Whether a file can be made there, found out before there is anything to write. Changes nothing. Returns 0, or -1 after a message. */
+int output_check(const char *target);
+
+/* Whether two paths, of files that need not be there yet, lead to the same file. */
+bool output_same(const char *a, const char *b);
 
 /* Prints a number with as many digits as give the same double again, and a line of such numbers with commas between them. */
 void output_number(output *o, double x);

@@ -2,10 +2,14 @@
 #include "figures.h"
 
 #include "common/gnuplot.h"
+#include "common/message.h"
 
 #include <math.h>
 
-enum { MOST_NAMES = 24 /* of curves, in the legend: more do not fit beside it */ };
+enum {
+  MOST_NAMES = 24, /* of curves, in the legend: more do not fit beside it */
+  MOST_RUNS = 2 * PENDULUM_MAX_LINKS
+};
 
 /* Between the times of two points of a curve: closer ones cannot be told apart on a logarithmic axis. */
 static const double point_ratio = 1.01;
@@ -47,9 +51,28 @@ static void print_style(FILE *script) {
         script);
 }
 
-static void print_time_axis(FILE *script, const run *r) {
+/* From the first row of any run to the last. */
+static void print_time_axis(FILE *script, const run *const *runs, int count) {
+  double first = HUGE_VAL, last = 0.0;
+  for (int i = 0; i < count; i++) first = fmin(first, runs[i]->rows[0]), last = fmax(last, runs[i]->t);
   fputs("set logscale x\nset format x '%g'\nset xlabel 'time t, s'\n", script);
-  if (r->nrow > 1) fprintf(script, "set xrange [%.8g:%.8g]\n", r->rows[0], r->t);
+  fprintf(script, "set xrange [%.8g:%.8g]\n", first, last);
+}
+
+/* Without any error the axis has nothing to go by. */
+static void print_energy_axis(FILE *script, const run *const *runs, int count) {
+  double worst = 0.0;
+  for (int i = 0; i < count; i++) worst = fmax(worst, runs[i]->worst_energy_error);
+  if (worst <= zero_mark) fprintf(script, "set yrange [%g:%g]\n", zero_mark, energy_bound);
+}
+
+/* The runs that make a curve: their number. Zero after a message that the figure is left out. */
+static int gather(const run **drawn, const run *const *runs, int count, const char *path) {
+  int kept = 0;
+  for (int i = 0; i < count; i++)
+    if (runs[i]->nrow >= FIGURE_ROWS) drawn[kept++] = runs[i];
+  if (kept == 0) complain("'%s' is left out: a curve needs two rows, and there are fewer", path);
+  return kept;
 }
 
 /* One curve: a column of a run against time. Dashed and without a name of its own for the printed scheme. */
@@ -68,12 +91,15 @@ static void print_legend_of_dashes(FILE *script, const run *const *runs, int cou
   if (last->ask.scheme == EOM_LYAPUNOV_PAPER) fprintf(script, " (dashed: the scheme as printed, step %g s)", last->step);
 }
 
-int figure_maximal(const char *path, const run *const *runs, int count) {
+int figure_maximal(const char *path, const run *const *all, int of) {
   gnuplot g;
+  const run *runs[MOST_RUNS];
+  int count = gather(runs, all, of, path);
+  if (count == 0) return 0;
   if (gnuplot_open(&g, path, 900, 540) != 0) return -1;
   for (int i = 0; i < count; i++) print_data(g.script, runs[i], i);
   print_style(g.script);
-  print_time_axis(g.script, runs[0]);
+  print_time_axis(g.script, runs, count);
   fputs("set title 'Maximal Lyapunov exponent of the planar N-pendulum'\nset ylabel 'λ₁(t), 1/s'\n", g.script);
   for (int i = 0; i < count; i++) print_curve(g.script, runs[i], i, 2);
   fputc('\n', g.script);
@@ -94,10 +120,12 @@ int figure_spectrum(const char *path, const run *r) {
   gnuplot g;
   int exponents = 2 * r->ask.links, every = 1 + exponents / MOST_NAMES;
   char digits[SUBSCRIPT_SIZE];
+  const run *drawn;
+  if (gather(&drawn, &r, 1, path) == 0) return 0;
   if (gnuplot_open(&g, path, 900, 540) != 0) return -1;
   print_data(g.script, r, 0);
   print_style(g.script);
-  print_time_axis(g.script, r);
+  print_time_axis(g.script, &drawn, 1);
   fprintf(g.script, "set title 'Lyapunov exponents of the planar pendulum with %d link%s'\n", r->ask.links,
           r->ask.links == 1 ? "" : "s");
   fputs("set ylabel 'λᵢ(t), 1/s'\n"
@@ -117,18 +145,22 @@ int figure_spectrum(const char *path, const run *r) {
   return gnuplot_close(&g);
 }
 
-int figure_errors(const char *path, const run *const *runs, int count) {
+int figure_errors(const char *path, const run *const *all, int of) {
   gnuplot g;
+  const run *runs[MOST_RUNS];
+  int count = gather(runs, all, of, path);
+  if (count == 0) return 0;
   if (gnuplot_open(&g, path, 900, 800) != 0) return -1;
   for (int i = 0; i < count; i++) print_data(g.script, runs[i], i);
   print_style(g.script);
-  print_time_axis(g.script, runs[0]);
+  print_time_axis(g.script, runs, count);
   fputs("set logscale y\nset format y '%.0e'\nset lmargin 12\nset rmargin 14\n"
         "set multiplot layout 2,1\n"
         "set title 'Energy error",
         g.script);
   print_legend_of_dashes(g.script, runs, count);
   fputs("'\nset ylabel '|E - E₀|, J'\n", g.script);
+  print_energy_axis(g.script, runs, count);
   for (int i = 0; i < count; i++) print_curve(g.script, runs[i], i, energy_column(runs[i]));
   fputs("\nset title 'Loss of orthogonality", g.script);
   print_legend_of_dashes(g.script, runs, count);

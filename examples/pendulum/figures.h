@@ -4,7 +4,10 @@
 
 #include "run.h"
 
-/* All write one .svg or .png file, from runs that have at least one row, and return 0, or -1 after a message. */
+enum { FIGURE_ROWS = 2 /* that a curve needs */ };
+
+/* All write one .svg or .png file, and return 0, or -1 after a message. A run with fewer than two rows makes no curve; a figure
+ * without any curve is left out, which a message says. */
 
 /* Fig 3: the maximal exponent against time, one curve for each run. */
 int figure_maximal(const char *path, const run *const *runs, int count);

@@ -10,6 +10,7 @@
 #include "workers.h"
 
 #include <math.h>
+#include <unistd.h>
 
 const char program[] = "pendulum";
 
@@ -40,7 +41,7 @@ typedef struct command {
 } command;
 
 static command read_command(int argc, char **argv) {
-  command c = {.scheme = 2, .theta0 = 75.0, .every = 0.5};
+  command c = {.scheme = 2, .theta0 = paper_theta0, .every = 0.5};
   const option table[] = {
       {.name = "--links",
        .kind = OPTION_COUNT,
@@ -109,10 +110,26 @@ static command read_command(int argc, char **argv) {
   return c;
 }
 
+/* A figure of one row would be a point. */
+static void check_rows(const command *c) {
+  if ((c->plot != NULL || c->figures != NULL) && c->t_end <= c->every)
+    usage_error("--every %g makes one row in %g s, and a figure needs two; take a shorter --every", c->every, c->t_end);
+}
+
+/* One output must not overwrite another. */
+static void check_files(const command *c) {
+  const char *const name[] = {"--csv", "--plot"}, *const file[] = {c->csv, c->plot};
+  if (c->csv != NULL && c->plot != NULL && output_same(c->csv, c->plot))
+    usage_error("--csv %s and --plot %s are the same file", c->csv, c->plot);
+  for (int i = 0; i < 2; i++)
+    if (c->figures != NULL && file[i] != NULL && folder_writes(c->figures, file[i], c->links))
+      usage_error("%s %s is the same file as one that --figures %s writes", name[i], file[i], c->figures);
+}
+
 /* Fills the defaults and refuses what does not fit together. */
 static run_request complete(command *c) {
   if (c->links == 0) c->links = c->table1 ? TABLE1_LINKS : 2;
-  if (c->t_end == 0.0) c->t_end = c->table1 ? 1000.0 : 100.0;
+  if (c->t_end == 0.0) c->t_end = c->table1 ? paper_time : 100.0;
   if (c->step == 0.0 && schemes[c->scheme] == EOM_LYAPUNOV_PAPER) c->step = fmin(paper_step, c->t_end);
   if (c->table1 && c->links > TABLE1_LINKS) usage_error("--links %d: the paper's Table 1 ends at N = %d", c->links, TABLE1_LINKS);
   if (c->table1 && schemes[c->scheme] == EOM_LYAPUNOV_PAPER)
@@ -124,6 +141,8 @@ static run_request complete(command *c) {
   if (c->t_end / c->every > most_rows)
     usage_error("--every %g: that makes more than %g rows; take a longer --every", c->every, most_rows);
   check_figure_name("--plot", c->plot);
+  check_rows(c);
+  check_files(c);
   return (run_request){.links = c->links,
                        .theta0 = c->theta0 * acos(-1.0) / 180.0,
                        .t_end = c->t_end,
@@ -168,12 +187,21 @@ static int single(const command *c, run_request ask) {
   return status;
 }
 
+/* Sees before any computing that every output can be made. Returns 0, or -1 after a message; then nothing new is left behind. */
+static int prepare(const command *c) {
+  bool made = false;
+  if ((c->plot != NULL || c->figures != NULL) && find_gnuplot() != 0) return -1;
+  if (c->figures != NULL && folder_make(c->figures, &made) != 0) return -1;
+  if ((c->csv == NULL || output_check(c->csv) == 0) && (c->plot == NULL || output_check(c->plot) == 0)) return 0;
+  if (made) rmdir(c->figures);
+  return -1;
+}
+
 int main(int argc, char **argv) {
   command c = read_command(argc, argv);
   run_request ask = complete(&c);
   watch_interrupts();
-  if ((c.plot != NULL || c.figures != NULL) && find_gnuplot() != 0) return EXIT_FAILED;
-  if (c.figures != NULL && folder_make(c.figures) != 0) return EXIT_FAILED;
+  if (prepare(&c) != 0) return EXIT_FAILED;
   int status;
   if (c.table1)
     status = table1(&(table1_request){.links = c.links, .each = ask, .csv = c.csv, .plot = c.plot, .figures = c.figures});

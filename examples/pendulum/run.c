@@ -11,6 +11,7 @@
 
 const double energy_bound = 1e-6;
 const double paper_step = 0.05;
+const double paper_theta0 = 75.0, paper_time = 1000.0;
 
 static const double g = 9.81;           /* m/s^2 */
 static const double rounding = 1e-12;   /* relative, of a quotient of two times that stands for a whole number */

@@ -24,6 +24,9 @@ extern const double energy_bound;
 /* The step that the paper states for its Table 1, s. */
 extern const double paper_step;
 
+/* The start that the paper states for it, degrees, and the time, s. */
+extern const double paper_theta0, paper_time;
+
 /* How a run ended. */
 typedef enum run_end {
   RUN_COMPLETE,

@@ -1,7 +1,6 @@
 /* The paper's Table 1 beside what its own scheme gives and beside the exponents. */
 #include "table1.h"
 
-#include "common/interrupt.h"
 #include "common/message.h"
 #include "common/output.h"
 #include "csv.h"
@@ -23,6 +22,14 @@ static const double notable_loss = 0.02;
 
 /* An energy error, J, that is more than a good trajectory has: a millionth of the energy of one link. */
 static const double notable_energy_error = 1e-5;
+
+/* Two angles, degrees, that differ by less are the same start. */
+static const double same_angle = 1e-9;
+
+/* What lambda_1 of one link must lose while the time doubles to be called falling; ln(t)/t loses nearly half. */
+static const double falling_part = 0.25;
+
+enum { TIME_SIZE = 40 };
 
 /* One row of the table. */
 typedef struct entry {
@@ -74,25 +81,67 @@ static double compute(const table1_request *ask, entry *entries) {
   return do_tasks(tasks, list_tasks(entries, ask->links, tasks), "Table 1");
 }
 
+static double degrees(const run_request *each) { return each->theta0 * 180.0 / acos(-1.0); }
+
+static bool paper_start(const run_request *each) { return fabs(degrees(each) - paper_theta0) < same_angle; }
+
+static bool entry_stopped(const entry *e) {
+  return e->exponents.end == RUN_INTERRUPTED || e->paper.end == RUN_INTERRUPTED || e->shorter.end == RUN_INTERRUPTED ||
+         e->paper_motion.status == EOM_STOPPED;
+}
+
+/* Whether the user has ended any run before its time. */
+static bool stopped(const entry *entries, int links) {
+  for (int i = 0; i < links; i++)
+    if (entry_stopped(&entries[i])) return true;
+  return false;
+}
+
+/* Whether there is an interval of the exponent, over the whole time. */
+static bool has_interval(const entry *e) { return e->exponents.end == RUN_COMPLETE && e->exponents.blocks > 0; }
+
 /* Whether the printed value lies in the interval of the exponent; false where there is no interval. */
 static bool holds(const entry *e) {
   const run *r = &e->exponents;
-  return r->blocks > 0 && fabs(printed[r->ask.links - 1] - r->mean) <= r->half_width;
+  return has_interval(e) && fabs(printed[r->ask.links - 1] - r->mean) <= r->half_width;
+}
+
+/* How a run that has not come to its end came to it; empty for the others. */
+static const char *early_end(const run *r, char *text) {
+  static const char *const how[] = {
+      [RUN_INTERRUPTED] = "stopped at", [RUN_OVERFLOWED] = "overflowed after", [RUN_FAILED] = "failed after"};
+  text[0] = '\0';
+  if (r->end != RUN_COMPLETE) snprintf(text, TIME_SIZE, "%s %g s", how[r->end], r->t);
+  return text;
+}
+
+/* The last column: the time where the run ended early, else what the interval says of Table 1; empty where there is nothing to say. */
+static const char *verdict(const entry *e, char *text) {
+  if (e->exponents.end != RUN_COMPLETE) return early_end(&e->exponents, text);
+  if (!paper_start(&e->exponents.ask)) return "";
+  return !has_interval(e) ? "-" : holds(e) ? "inside" : "outside";
 }
 
 static void print_exponents(const entry *e) {
   const run *r = &e->exponents;
-  printf(" %d   %7g   %9.5f ", r->ask.links, printed[r->ask.links - 1], r->lambda[0]);
+  char text[TIME_SIZE];
+  printf(" %d ", r->ask.links);
+  if (paper_start(&r->ask)) printf("  %7g ", printed[r->ask.links - 1]);
+  printf("  %9.5f ", r->lambda[0]);
   if (r->blocks > 0)
     printf("  %8.4f .. %-8.4f", r->mean - r->half_width, r->mean + r->half_width);
   else
     printf("  %-20s", "too short a run");
-  printf("  %-8.3g  %.1e   %s\n", r->step, r->worst_energy_error, r->blocks == 0 ? "-" : holds(e) ? "inside" : "outside");
+  const char *last = verdict(e, text);
+  printf("  %-8.3g  %.1e%s%s\n", r->step, r->worst_energy_error, *last != '\0' ? "   " : "", last);
 }
 
-static void print_when(double t) {
+/* When something happened in a run, s; negative: never, or not in the time that the run reached. */
+static void print_when(const run *r, double t) {
+  char text[TIME_SIZE];
+  snprintf(text, sizeof text, "not by %g", r->t);
   if (t < 0.0)
-    printf("  %-12s", "never");
+    printf("  %-12s", text);
   else
     printf("  %-12g", t);
 }
@@ -100,36 +149,52 @@ static void print_when(double t) {
 static void print_paper(const entry *e) {
   const run *r = &e->paper;
   const motion *m = &e->paper_motion;
+  char text[TIME_SIZE];
   printf(" %d ", r->ask.links);
-  print_when(r->t_orthogonality_lost);
-  print_when(r->end == RUN_OVERFLOWED ? r->t : -1.0);
+  print_when(r, r->t_orthogonality_lost);
+  print_when(r, r->end == RUN_OVERFLOWED ? r->t : -1.0);
   printf("  %-11.3g %8.1e   %8.1e", r->lambda[0], r->orthogonality_error, r->energy_error);
   if (m->status == EOM_OK || m->status == EOM_STOPPED)
-    printf("   %.1e J in %g s\n", m->worst_energy_error, m->t);
+    printf("   %.1e J in %g s", m->worst_energy_error, m->t);
   else
-    printf("   overflows after %g s\n", m->t);
+    printf("   overflows after %g s", m->t);
+  if (m->status == EOM_STOPPED) printf(" (stopped)");
+  if (r->end == RUN_INTERRUPTED || r->end == RUN_FAILED) printf("; Q %s", early_end(r, text));
+  putchar('\n');
 }
 
 static void print_shorter(const entry *e) {
   const run *r = &e->shorter;
+  char text[TIME_SIZE];
   if (r->end == RUN_OVERFLOWED)
     printf(" %d   Q overflows after %g s\n", r->ask.links, r->t);
   else
-    printf(" %d   %9.5f   %8.1e   %8.1e\n", r->ask.links, r->lambda[0], r->orthogonality_error, r->worst_energy_error);
+    printf(" %d   %9.5f   %8.1e   %8.1e%s%s\n", r->ask.links, r->lambda[0], r->orthogonality_error, r->worst_energy_error,
+           r->end != RUN_COMPLETE ? "   " : "", early_end(r, text));
+}
+
+static void print_exponents_head(const run_request *each) {
+  bool compared = paper_start(each);
+  if (each->step > 0.0)
+    printf(" Q re-orthonormalised, step %g s\n", each->step);
+  else
+    printf(" Q re-orthonormalised, step chosen so that |E-E0| stays below %g J\n", energy_bound);
+  printf(" N %s  lambda_1(t)  95 %% interval         step, s   |E-E0|%s\n", compared ? "  Table 1" : "",
+         compared ? "    Table 1 is" : "");
 }
 
 static void print_tables(const table1_request *ask, const entry *entries) {
   const run_request *each = &ask->each;
-  printf("Maximal Lyapunov exponent of the planar N-pendulum from its Lagrangian, 1/s; t = %g s\n", each->t_end);
-  printf("m = l = 1, g = 9.81, theta_1(0) = %g deg, all else 0\n\n", each->theta0 * 180.0 / acos(-1.0));
-  printf(" Q re-orthonormalised, step chosen so that |E-E0| stays below %g J\n", energy_bound);
-  printf(" N   Table 1  lambda_1(t)  95 %% interval         step, s   |E-E0|    Table 1 is\n");
+  const char *on_the_way = stopped(entries, ask->links) ? "stopped on the way to " : "";
+  printf("Maximal Lyapunov exponent of the planar N-pendulum from its Lagrangian, 1/s; %st = %g s\n", on_the_way, each->t_end);
+  printf("m = l = 1, g = 9.81, theta_1(0) = %g deg, all else 0\n\n", degrees(each));
+  print_exponents_head(each);
   for (int n = 1; n <= ask->links; n++) print_exponents(&entries[n - 1]);
   printf("\n The paper's scheme as printed (eqs 75-80, Q never re-orthonormalised) at its stated step of %g s\n", paper_step);
   printf("    |Q'Q-I| > 1   Q overflows   just before, or at the end           the trajectory alone\n");
   printf(" N  after, s      after, s      lambda_1     |Q'Q-I|    |E-E0|     |E-E0|\n");
   for (int n = 1; n <= ask->links; n++) print_paper(&entries[n - 1]);
-  printf("\n The same at a step of %g s, t = %g s\n", shorter_step, shorter_part * each->t_end);
+  printf("\n The same at a step of %g s, %st = %g s\n", shorter_step, on_the_way, shorter_part * each->t_end);
   printf(" N   lambda_1(t)  |Q'Q-I|    |E-E0|\n");
   for (int n = 1; n <= ask->links; n++) print_shorter(&entries[n - 1]);
 }
@@ -137,14 +202,15 @@ static void print_tables(const table1_request *ask, const entry *entries) {
 static int write_table(const char *path, const entry *entries, int links) {
   output o;
   if (output_open(&o, path) != 0) return -1;
-  fputs("N,table1,lambda_1,interval_mean,interval_half_width,step,energy_error,as_printed_orthogonality_lost,as_printed_end,"
+  fputs("N,table1,t,lambda_1,interval_mean,interval_half_width,step,energy_error,as_printed_orthogonality_lost,as_printed_end,"
         "as_printed_lambda_1,as_printed_orthogonality_error,as_printed_energy_error\n",
         o.file);
   for (int n = 1; n <= links; n++) {
     const run *r = &entries[n - 1].exponents, *p = &entries[n - 1].paper;
-    fprintf(o.file, "%d,%g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", n, printed[n - 1], r->lambda[0], r->mean,
-            r->half_width, r->step, r->worst_energy_error, p->t_orthogonality_lost, p->t, p->lambda[0], p->orthogonality_error,
-            p->energy_error);
+    fprintf(o.file, "%d,", n);
+    if (paper_start(&r->ask)) fprintf(o.file, "%g", printed[n - 1]);
+    fprintf(o.file, ",%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g,%.17g\n", r->t, r->lambda[0], r->mean, r->half_width,
+            r->step, r->worst_energy_error, p->t_orthogonality_lost, p->t, p->lambda[0], p->orthogonality_error, p->energy_error);
   }
   return output_commit(&o);
 }
@@ -161,7 +227,7 @@ static int write_results(const table1_request *ask, const entry *entries) {
 
 typedef bool entry_test(const entry *e);
 
-static bool outside(const entry *e) { return e->exponents.blocks > 0 && !holds(e); }
+static bool outside(const entry *e) { return has_interval(e) && !holds(e); }
 static bool overflows(const entry *e) { return e->paper.end == RUN_OVERFLOWED; }
 
 static bool refuted(const entry *e) { return outside(e) && overflows(e); }
@@ -176,7 +242,7 @@ static bool loses(const entry *e) {
 /* And gives more than the exponent without an overflow. */
 static bool inflated(const entry *e) {
   const run *s = &e->shorter, *r = &e->exponents;
-  return loses(e) && s->end == RUN_COMPLETE && r->blocks > 0 && s->lambda[0] > r->mean + r->half_width;
+  return loses(e) && s->end == RUN_COMPLETE && has_interval(e) && s->lambda[0] > r->mean + r->half_width;
 }
 
 /* "N = 1, 2" of the entries that pass the test. */
@@ -204,22 +270,52 @@ static void print_one_link(const run *r) {
   long half = r->nrow / 2;
   if (half == 0 || r->end != RUN_COMPLETE) return;
   const double *row = r->rows + (half - 1) * run_width(r);
-  printf(" One link is not chaotic: lambda_1 falls to zero, %.2g at %g s and %.2g at %g s.\n", row[1], row[0], r->lambda[0], r->t);
+  if (!(r->lambda[0] < (1.0 - falling_part) * row[1])) return;
+  printf(" One link is not chaotic: lambda_1 falls with time, %.2g at %g s and %.2g at %g s.\n", row[1], row[0], r->lambda[0], r->t);
 }
 
-/* What the numbers say; every sentence follows from the entries. */
-static void print_reading(const entry *entries, int links) {
-  putchar('\n');
+/* For what the reading holds: Table 1 has a start and a time of its own. */
+static void print_scope(const run_request *each) {
+  if (!paper_start(each))
+    printf(" Table 1 starts from theta_1(0) = %g deg, these runs from %g deg: its column and what it would say are left out.\n",
+           paper_theta0, degrees(each));
+  else if (each->t_end < paper_time)
+    printf(" Table 1 is of %g s, these runs are of %g s: what follows holds for %g s.\n", paper_time, each->t_end, each->t_end);
+}
+
+/* Table 1 beside the intervals. */
+static void print_comparison(const entry *entries, int links) {
   print_sentence("Table 1 is inside the interval of the exponent for", entries, links, holds, ".");
   print_sentence("Table 1 is outside the interval of the exponent for", entries, links, outside, ".");
-  print_one_link(&entries[0].exponents);
-  print_sentence("The printed scheme overflows at the stated step, so that it cannot have given Table 1, for", entries, links,
-                 overflows, ".");
+}
+
+/* What becomes of the printed scheme; an overflow within a shorter time is one within the paper's too. */
+static void print_scheme_reading(const entry *entries, int links, bool compared) {
+  print_sentence(compared ? "The printed scheme overflows at the stated step, so that it cannot have given Table 1, for"
+                          : "The printed scheme overflows at the stated step for",
+                 entries, links, overflows, ".");
   print_sentence("At the shorter step it keeps the energy and still loses the orthogonality of Q, or overflows, for", entries, links,
                  loses, ".");
   print_sentence("Without the orthogonality it gives more than the exponent for", entries, links, inflated, ".");
-  print_sentence("So the values of Table 1 are not the exponents of this system for", entries, links, refuted,
-                 ";\n lost orthogonality is their likely source, which these numbers suggest and do not prove.");
+}
+
+/* What the numbers say; every sentence follows from the entries. */
+static void print_reading(const run_request *each, const entry *entries, int links) {
+  bool compared = paper_start(each);
+  putchar('\n');
+  if (stopped(entries, links)) {
+    puts(" Some runs did not reach their end: no conclusions are drawn.");
+    return;
+  }
+  print_scope(each);
+  if (compared) print_comparison(entries, links);
+  print_one_link(&entries[0].exponents);
+  print_scheme_reading(entries, links, compared);
+  if (compared && each->t_end < paper_time)
+    printf(" What the intervals of %g s would say of Table 1 is left open.\n", paper_time);
+  else if (compared)
+    print_sentence("So the values of Table 1 are not the exponents of this system for", entries, links, refuted,
+                   ";\n lost orthogonality is their likely source, which these numbers suggest and do not prove.");
 }
 
 static int conclusion(const entry *entries, int links) {
@@ -231,7 +327,7 @@ static int conclusion(const entry *entries, int links) {
       status = EXIT_FAILED;
     }
   }
-  if (!interrupted()) return status;
+  if (!stopped(entries, links)) return status;
   complain("stopped by the user; the table holds what there was by then");
   return EXIT_INTERRUPTED;
 }
@@ -240,7 +336,7 @@ int table1(const table1_request *ask) {
   entry entries[TABLE1_LINKS] = {0};
   double seconds = compute(ask, entries);
   print_tables(ask, entries);
-  print_reading(entries, ask->links);
+  print_reading(&ask->each, entries, ask->links);
   printf("\n%.0f s of computing\n", seconds);
   int status = conclusion(entries, ask->links);
   if (write_results(ask, entries) != 0) status = EXIT_FAILED;
