@@ -2,7 +2,6 @@
 #include "Activity.h"
 #include "PrintC.h"
 
-#include <cassert>
 #include <cstdlib>
 #include <functional>
 #include <set>
@@ -350,7 +349,7 @@ private:
   bool changed_ = false, checking_;
 };
 
-Activity::Activity(const Model &model, Diagnostics &diags, const std::vector<std::string> &paths) : diags_(diags), paths_(paths) {
+Activity::Activity(const Program &program, const Model &model, Diagnostics &diags) : program_(program), diags_(diags) {
   for (const ModelFunction &f : model.functions) {
     std::string signature;
     for (const Arg &arg : f.args) {
@@ -403,8 +402,6 @@ Variant *Activity::variant(const Function *f, const std::string &signature) {
   return v;
 }
 
-void Activity::report(const char *id, const Loc &loc, const std::string &what) {
-  diags_.add(id, loc.file >= 0 ? paths_[static_cast<size_t>(loc.file)] : "", loc.line, loc.column, what);
-}
+void Activity::report(const char *id, const Loc &loc, const std::string &what) { diags_.add(id, program_, loc, what); }
 
 } // namespace tlgen

@@ -51,7 +51,7 @@ public:
 
 class Activity {
 public:
-  Activity(const Model &model, Diagnostics &diags, const std::vector<std::string> &paths);
+  Activity(const Program &program, const Model &model, Diagnostics &diags);
   ~Activity();
 
   // The variant of each model function, in the model's order.
@@ -65,8 +65,8 @@ private:
   Place *makePlace(const Type *type);
   void report(const char *id, const Loc &loc, const std::string &what);
 
+  const Program &program_;
   Diagnostics &diags_;
-  const std::vector<std::string> &paths_; // of Program::files, as the user gave them
   std::vector<std::unique_ptr<Place>> storage_;
   std::vector<std::unique_ptr<Variant>> owned_;
   std::map<std::pair<const Function *, std::string>, Variant *> known_;

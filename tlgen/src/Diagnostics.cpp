@@ -32,6 +32,10 @@ void Diagnostics::add(const char *id, const std::string &file, unsigned line, un
   messages_.push_back({file, line, column, kind, what});
 }
 
+void Diagnostics::add(const char *id, const Program &program, const Loc &loc, const std::string &what) {
+  add(id, loc.file >= 0 ? program.paths[static_cast<size_t>(loc.file)] : "", loc.line, loc.column, what);
+}
+
 void Diagnostics::print(std::ostream &out) const {
   std::vector<Message> sorted = messages_;
   std::stable_sort(sorted.begin(), sorted.end(), [](const Message &a, const Message &b) {

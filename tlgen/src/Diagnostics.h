@@ -27,6 +27,8 @@ class Diagnostics {
 public:
   // Adds a message. what names the thing at fault; file is the path as the user gave it, empty for a fault of the command line.
   void add(const char *id, const std::string &file, unsigned line, unsigned column, const std::string &what);
+  // The same at a place of the program.
+  void add(const char *id, const Program &program, const Loc &loc, const std::string &what);
   bool hasErrors() const { return errors_ > 0; }
   // Prints all messages by file, line and column, each once:  file:line:col: error: what: why [id] and a line with the way out.
   void print(std::ostream &out) const;

@@ -151,7 +151,7 @@ private:
   }
 
   std::string frameFunction(size_t i) const {
-    Bound bound = FrameBound(emitted_, model_, diags_, program_.paths).of(activity_.roots()[i], model_.functions[i].args);
+    Bound bound = FrameBound(emitted_, program_, model_, diags_).of(activity_.roots()[i], model_.functions[i].args);
     std::string start = bound.usesParams() ? "  const " + model_.params->spelling + " *const p = params;\n" : "  (void)params;\n";
     return "static size_t " + stem(i) + "_frame(const void *params)\n{\n" + start + "  return " + bound.text() + ";\n}\n\n";
   }

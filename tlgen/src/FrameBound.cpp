@@ -82,7 +82,7 @@ Bound FrameBound::bound(const Variant *v, const Environment &env) {
     if (expandLength(array->type, env, frame, term))
       total.terms.push_back(term);
     else
-      diags_.add("vla", paths_[static_cast<size_t>(array->loc.file)], array->loc.line, array->loc.column, "'" + array->name + "'");
+      diags_.add("vla", program_, array->loc, "'" + array->name + "'");
   }
   long deepest = 0;
   for (const auto &call : frame.calls) {

@@ -16,8 +16,8 @@ struct Bound {
 
 class FrameBound {
 public:
-  FrameBound(const Emitted &emitted, const Model &model, Diagnostics &diags, const std::vector<std::string> &paths)
-      : emitted_(emitted), model_(model), diags_(diags), paths_(paths) {}
+  FrameBound(const Emitted &emitted, const Program &program, const Model &model, Diagnostics &diags)
+      : emitted_(emitted), program_(program), model_(model), diags_(diags) {}
 
   // For a model function; its parameter struct is called p in the terms. Lengths that do not follow from it are reported.
   Bound of(const Variant *root, const std::vector<Arg> &args);
@@ -29,9 +29,9 @@ private:
   bool expandLength(const Type *type, const Environment &env, const Frame &frame, std::string &text) const;
 
   const Emitted &emitted_;
+  const Program &program_;
   const Model &model_;
   Diagnostics &diags_;
-  const std::vector<std::string> &paths_;
   std::vector<const Variant *> stack_;
 };
 

@@ -59,7 +59,7 @@ int generate(const Options &options) {
   Model model;
   lower(source, match, functions, options.model, program, model);
   separateNames(program, model.name);
-  Activity activity(model, diags, program.paths);
+  Activity activity(program, model, diags);
   if (diags.hasErrors()) return refuse(diags);
 
   EmittedModel text = emitCalls(program, model, activity, diags, header.substr(header.find_last_of('/') + 1));
