@@ -1,0 +1,196 @@
+/* One model of a real mechanism: L, its derivatives up to the third, accelerations, multipliers and the linearisation beside the
+ * high-precision reference. With --table it prints one line of markdown per kind of point instead of checking. */
+#include "mechanics.h"
+#include "reference.h"
+
+#include "eom/eom.h"
+#include "taylor/taylor.h"
+
+#include <float.h>
+#include <math.h>
+#include <stdbool.h>
+#include <stdio.h>
+#include <stdlib.h>
+#include <string.h>
+
+/* The largest error of a block of numbers relative to the largest of them: some thousand roundings. Where the condition alone explains
+ * more, condition * DBL_EPSILON is the limit instead. */
+static const double BLOCK_RTOL = 1e-12;
+
+/* The columns of the table. */
+enum { VALUE, GRADIENT, HESSIAN, THIRD, QDD, QDD_Y, LAMBDA, COLUMNS };
+static const char *const names[COLUMNS] = {"L", "gradient", "hessian", "third", "qdd", "qdd_y", "lambda"};
+
+typedef struct errors {
+  double error[COLUMNS];     /* relative; negative where there is nothing */
+  double condition[COLUMNS]; /* largest */
+} errors;
+
+static int faults;
+
+static double largest(const block *b) {
+  double scale = 0.0;
+  for (int i = 0; i < b->count; i++) scale = fmax(scale, fabs(b->numbers[i]));
+  return scale;
+}
+
+/* What the errors of a block are relative to: its largest number; for derivatives that are all zero that of the order below. */
+static double scale_of(const point *p, int column) {
+  double scale = largest(reference_block(p, names[column]));
+  return scale == 0.0 && column > VALUE && column <= THIRD ? scale_of(p, column - 1) : scale;
+}
+
+static double relative(double difference, double scale) {
+  if (isnan(difference)) return INFINITY;
+  return difference == 0.0 ? 0.0 : difference / scale;
+}
+
+static double limit_of(double condition) { return fmax(BLOCK_RTOL, condition * DBL_EPSILON); }
+
+/* Reports a number that is too far off, and remembers the largest error of the column. */
+static void compare(errors *e, const point *p, int column, const char *source, int index, double actual, double expected) {
+  double condition = reference_block(p, names[column])->condition;
+  double error = relative(fabs(actual - expected), scale_of(p, column));
+  e->error[column] = fmax(e->error[column], error);
+  e->condition[column] = fmax(e->condition[column], condition);
+  if (error <= limit_of(condition)) return;
+  faults++;
+  fprintf(stderr, "%s, %s point: %s[%d] of the %s: %.17g, expected %.17g, relative error %.3g, limit %.3g\n", mechanics_model()->name,
+          p->kind, names[column], index, source, actual, expected, error, limit_of(condition));
+}
+
+static void compare_all(errors *e, const point *p, int column, const char *source, const double *actual, int count) {
+  const block *b = reference_block(p, names[column]);
+  if (b->count != count) {
+    faults++;
+    fprintf(stderr, "%s: %d numbers in %s, expected %d\n", mechanics_model()->name, count, names[column], b->count);
+    return;
+  }
+  for (int i = 0; i < count; i++) compare(e, p, column, source, i, actual[i], b->numbers[i]);
+}
+
+/* The next index with index[0] <= index[1] <= .. < count; false after the last. */
+static bool next_index(int *index, int order, int count) {
+  for (int k = order - 1; k >= 0; k--) {
+    if (index[k] + 1 >= count) continue;
+    int value = index[k] + 1;
+    for (int i = k; i < order; i++) index[i] = value;
+    return true;
+  }
+  return false;
+}
+
+static void *claim(size_t bytes) {
+  void *memory = malloc(bytes ? bytes : 1);
+  if (!memory) exit(EXIT_FAILURE);
+  return memory;
+}
+
+static void compare_order(errors *e, const point *p, const tl_shape *shape, const tl_real *out, int order) {
+  int index[3] = {0}, alpha[64], number = 0;
+  const block *b = reference_block(p, names[order]);
+  do {
+    memset(alpha, 0, sizeof alpha);
+    for (int i = 0; i < order; i++) alpha[index[i]]++;
+    compare(e, p, order, "jet", number, tl_deriv(shape, out, 0, alpha), b->numbers[number]);
+    number++;
+  } while (next_index(index, order, shape->nvar));
+}
+
+/* L as the generated jet function has it, all derivatives at once. */
+static void check_jet(errors *e, const point *p, int n) {
+  const eom_function *f = &mechanics_model()->lagrangian;
+  int count = 2 * n + 1;
+  tl_spec spec = tl_third_order(count);
+  tl_shape shape;
+  tl_ctx cx;
+  void *tables = claim(tl_shape_bytes(spec));
+  tl_shape_init(&shape, spec, tables, tl_shape_bytes(spec));
+  size_t coefficients = (size_t)shape.ncoef, room = tl_ctx_size(&shape, f->frame(mechanics_params()));
+  tl_real *memory = claim(room * sizeof *memory), *out = claim(coefficients * sizeof *out);
+  tl_real *seeds = claim((size_t)count * coefficients * sizeof *seeds);
+  tl_ctx_init(&cx, &shape, memory, room);
+  for (int i = 0; i < count; i++) tl_seed(&cx, seeds + (size_t)i * coefficients, p->state[i], i);
+  f->jet(&cx, out, seeds, seeds + (size_t)n * coefficients, seeds + (size_t)(2 * n) * coefficients, mechanics_params());
+  if (cx.status.bits != TL_OK) {
+    faults++;
+    fprintf(stderr, "%s: status %s in line %d\n", f->name, tl_status_text(cx.status.bits), cx.status.line);
+  }
+  for (int order = 0; order <= 3; order++) compare_order(e, p, &shape, out, order);
+  free(tables);
+  free(memory);
+  free(out);
+  free(seeds);
+}
+
+/* M of the runtime is the block of velocities in the Hessian. */
+static void check_mass(errors *e, const point *p, const eom_system *sys) {
+  const block *b = reference_block(p, names[HESSIAN]);
+  int index[2] = {0}, number = 0, n = sys->n;
+  do {
+    int i = index[0] - n, j = index[1] - n;
+    if (i >= 0 && j < n) compare(e, p, HESSIAN, "runtime", number, sys->M[i * n + j], b->numbers[number]);
+    number++;
+  } while (next_index(index, 2, 2 * n + 1));
+}
+
+static void check_motion(errors *e, const point *p, eom_system *sys) {
+  const block *gradient = reference_block(p, names[GRADIENT]);
+  int n = sys->n;
+  eom_status status = eom_linearise(sys, p->state, p->state + n, p->state[2 * n]);
+  if (status) {
+    char text[512];
+    faults++;
+    eom_report_text(&sys->report, text, sizeof text);
+    fprintf(stderr, "%s: %s\n", sys->model->name, text);
+    return;
+  }
+  compare_all(e, p, VALUE, "runtime", &sys->lagrangian, 1);
+  for (int i = 0; i < n; i++) compare(e, p, GRADIENT, "runtime", n + i, sys->momentum[i], gradient->numbers[n + i]);
+  check_mass(e, p, sys);
+  compare_all(e, p, QDD, "runtime", sys->qdd, n);
+  compare_all(e, p, QDD_Y, "runtime", sys->qdd_y, 2 * n * n);
+  compare_all(e, p, LAMBDA, "runtime", sys->lambda, sys->m);
+}
+
+static errors no_errors(void) {
+  errors e;
+  for (int i = 0; i < COLUMNS; i++) e.error[i] = e.condition[i] = -1.0;
+  return e;
+}
+
+static void print_row(const eom_system *sys, const char *kind, const errors *e) {
+  bool generic = strcmp(kind, "generic") == 0;
+  double condition = 1.0;
+  printf("| %s | %s | %d | %d |", sys->model->name, generic ? mechanics_about : kind, sys->n, sys->m);
+  for (int i = 0; i < COLUMNS; i++) {
+    if (e->error[i] < 0.0) printf(" |");
+    else printf(" %.0e |", e->error[i]);
+    condition = fmax(condition, e->condition[i]);
+  }
+  printf(" %.0e |\n", condition);
+}
+
+int main(int argc, char **argv) {
+  bool table = argc == 2 && strcmp(argv[1], "--table") == 0;
+  reference r = reference_read(mechanics_reference);
+  eom_system *sys;
+  if (argc > 1 && !table) {
+    fprintf(stderr, "usage: %s [--table]\n", argv[0]);
+    return 2;
+  }
+  if (eom_system_create(&sys, mechanics_model(), mechanics_params(), NULL) || sys->n != r.n || 2 * r.n + 1 > 64) {
+    fprintf(stderr, "%s: no system of %d coordinates\n", mechanics_model()->name, r.n);
+    return EXIT_FAILURE;
+  }
+  errors e = no_errors();
+  for (int i = 0; i < r.npoint; i++) { /* neighbouring points of one kind make one row */
+    check_jet(&e, &r.points[i], r.n);
+    check_motion(&e, &r.points[i], sys);
+    if (i + 1 < r.npoint && strcmp(r.points[i].kind, r.points[i + 1].kind) == 0) continue;
+    if (table) print_row(sys, r.points[i].kind, &e);
+    e = no_errors();
+  }
+  eom_system_destroy(sys);
+  return faults ? EXIT_FAILURE : EXIT_SUCCESS;
+}
