@@ -170,9 +170,8 @@ void tl_product_blocks(const tl_shape *s, tl_real *c, const tl_real *a, const tl
     }
 }
 
-/* c = c h + f for a jet h without value, in the blocks of weight at most top: c_B <- c_0 h_B + sum_{B1,B2>0} c_B1 h_B2, in descending
- * order so that every c_B1 is still the old one. */
-static void horner_step(const tl_shape *s, tl_real *c, const tl_real *h, tl_real f, int top) {
+/* c_B <- c_0 h_B + sum_{B1,B2>0} c_B1 h_B2, in descending order so that every c_B1 is still the old one. */
+void tl_horner_step(const tl_shape *s, tl_real *c, const tl_real *h, tl_real f, int top) {
   for (int p = s->order; p >= 0; p--)
     for (int k = s->curve; k >= 0; k--) {
       if (p + k == 0 || p + k > top) continue;
@@ -191,5 +190,5 @@ void tl_compose_blocks(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *
   const tl_real *h = tl_unaliased(cx, a, c, i);
   tl_row_zero(s->ncoef, c);
   c[0] = f[top];
-  for (int k = top - 1; k >= 0; k--) horner_step(s, c, h, f[k], s->degree - k);
+  for (int k = top - 1; k >= 0; k--) tl_horner_step(s, c, h, f[k], s->degree - k);
 }

@@ -136,13 +136,13 @@ static tl_real gauss(tl_real x) {
 /* From here on exp(-x^2), below e^-1600, times any power of any number of the range is zero. */
 static const tl_real FLAT = TL_C(40.0);
 
-/* E erf(a) = 2/sqrt(pi) g E a with g = exp(-a^2), E g = g E(-a^2). */
-void tl_erf(tl_ctx *cx, tl_real *c, const tl_real *a) {
-  if (!tl_accept(cx, c, a[0], TL_FN_erf)) return;
+/* E c = rate g E a with g = exp(-a^2), E g = g E(-a^2), rate 2/sqrt(pi) for erf and its opposite for erfc. */
+static void integrate_gauss(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real value, tl_real rate, tl_fn function) {
+  if (!tl_accept(cx, c, a[0], function)) return;
   const tl_real *x = tl_unaliased(cx, a, c, 0);
   if (TL_LIBM(fabs)(x[0]) > FLAT) {
-    tl_check(cx, x, TL_FN_erf);
-    tl_const(cx, c, TL_LIBM(erf)(x[0]));
+    tl_check(cx, x, function);
+    tl_const(cx, c, value);
     return;
   }
   tl_real *q = tl_scratch(cx, 1), *g = tl_scratch(cx, 2);
@@ -150,7 +150,12 @@ void tl_erf(tl_ctx *cx, tl_real *c, const tl_real *a) {
   tl_square_blocks(cx->shape, q, -TL_C(1.0), x);
   g[0] = gauss(x[0]);
   tl_exp_blocks(cx->shape, g, TL_C(1.0), q);
-  c[0] = TL_LIBM(erf)(x[0]);
-  tl_integral_blocks(cx->shape, c, TWO_OVER_SQRT_PI, g, x);
-  tl_check(cx, c, TL_FN_erf);
+  c[0] = value;
+  tl_integral_blocks(cx->shape, c, rate, g, x);
+  tl_check(cx, c, function);
+}
+
+void tl_erf(tl_ctx *cx, tl_real *c, const tl_real *a) { integrate_gauss(cx, c, a, TL_LIBM(erf)(a[0]), TWO_OVER_SQRT_PI, TL_FN_erf); }
+void tl_erfc(tl_ctx *cx, tl_real *c, const tl_real *a) {
+  integrate_gauss(cx, c, a, TL_LIBM(erfc)(a[0]), -TWO_OVER_SQRT_PI, TL_FN_erfc);
 }

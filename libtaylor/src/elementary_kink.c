@@ -32,6 +32,19 @@ static void extremum(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b,
 void tl_fmin(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) { extremum(cx, c, a, b, TL_C(1.0), TL_FN_fmin); }
 void tl_fmax(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) { extremum(cx, c, a, b, -TL_C(1.0), TL_FN_fmax); }
 
+void tl_fdim(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
+  const tl_shape *s = cx->shape;
+  const tl_real value = TL_LIBM(fdim)(a[0], b[0]), slope = a[0] > b[0] ? TL_C(1.0) : TL_C(0.0);
+  if (!tl_accept(cx, c, a[0], TL_FN_fdim) || !tl_accept(cx, c, b[0], TL_FN_fdim)) return;
+  if (a[0] == b[0] && !same_jet(s, a, b)) {
+    tl_reject(cx, c, TL_SINGULAR, TL_FN_fdim);
+    return;
+  }
+  for (int i = 1; i < s->ncoef; i++) c[i] = slope * (a[i] - b[i]);
+  c[0] = value;
+  tl_check(cx, c, TL_FN_fdim);
+}
+
 void tl_copysign(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
   if (!tl_accept(cx, c, a[0], TL_FN_copysign) || !tl_accept(cx, c, b[0], TL_FN_copysign)) return;
   if ((a[0] == TL_C(0.0) || b[0] == TL_C(0.0)) && cx->shape->degree > 0)

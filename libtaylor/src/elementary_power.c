@@ -1,4 +1,4 @@
-/* Roots, powers with a constant exponent, the length of a vector, and fma. */
+/* Roots, powers with a constant exponent, products with a power of two, the length of a vector, and fma. */
 #include "block.h"
 #include "taylor/elementary.h"
 
@@ -145,4 +145,9 @@ void tl_fma(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b, const tl
   for (int i = 1; i < cx->shape->ncoef; i++) c[i] += addend[i];
   c[0] = value;
   tl_check(cx, c, TL_FN_fma);
+}
+
+void tl_scalbn(tl_ctx *cx, tl_real *c, const tl_real *a, int n) {
+  for (int i = 0; i < cx->shape->ncoef; i++) c[i] = TL_LIBM(scalbn)(a[i], n);
+  tl_check(cx, c, TL_FN_scalbn);
 }

@@ -160,15 +160,6 @@ void tl_compose(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *f) {
   tl_check(cx, c, TL_FN_compose);
 }
 
-void tl_apply(tl_ctx *cx, tl_real *c, const tl_real *a, tl_rule *rule, const void *user) {
-  tl_real f[TL_MAX_CURVE + TL_MAX_ORDER + 1];
-  const unsigned bits = rule(f, a[0], cx->shape->degree, user);
-  if (bits != TL_OK)
-    tl_reject(cx, c, bits, TL_FN_compose);
-  else
-    tl_compose(cx, c, a, f);
-}
-
 tl_real tl_coef(const tl_shape *s, const tl_real *a, int k, const int *alpha) {
   const int at = tl_index(s, k, alpha);
   return at < 0 ? TL_C(0.0) : a[at];

@@ -10,12 +10,14 @@ extern "C" {
 #endif
 
 /* Every operation that can fail, by the name it has in a report: seed for tl_const and tl_seed, add for tl_shift, sub for tl_neg and
- * tl_rsub, scale for tl_axpy, mul for tl_muladd, div for tl_rdiv and tl_divc, compose for tl_apply, frame for the workspace. */
+ * tl_rsub, scale for tl_axpy, mul for tl_muladd, div for tl_rdiv and tl_divc, compose for tl_apply and tl_apply_n, frame for the
+ * workspace. */
 /* clang-format off */
 #define TL_FUNCTIONS(X)                                                                                                                \
   X(seed) X(copy) X(add) X(sub) X(scale) X(mul) X(div) X(compose) X(sqrt) X(cbrt) X(exp) X(expm1) X(exp2) X(log) X(log1p) X(log2)      \
   X(log10) X(sin) X(cos) X(tan) X(asin) X(acos) X(atan) X(atan2) X(sinh) X(cosh) X(tanh) X(asinh) X(acosh) X(atanh) X(pow) X(hypot)    \
-  X(fabs) X(fmin) X(fmax) X(fma) X(copysign) X(erf) X(frame)
+  X(fabs) X(fmin) X(fmax) X(fdim) X(fma) X(copysign) X(erf) X(erfc) X(tgamma) X(lgamma) X(floor) X(ceil) X(trunc) X(round) X(rint)     \
+  X(fmod) X(remainder) X(scalbn) X(float) X(frame)
 /* clang-format on */
 
 typedef enum tl_fn {
@@ -29,9 +31,9 @@ typedef enum tl_fn {
 enum {
   TL_OK = 0,
   TL_DOMAIN = 1,    /* the value does not exist: log(-1), acos(2), 1/0 */
-  TL_SINGULAR = 2,  /* the value exists, a needed derivative does not: sqrt at 0, acos at 1, fabs at 0, fmin at a tie */
+  TL_SINGULAR = 2,  /* the value exists, a needed derivative does not: sqrt at 0, acos at 1, fabs at 0, fmin at a tie, floor at 3 */
   TL_NONFINITE = 4, /* a coefficient overflowed, or an operand was not finite */
-  TL_NO_SPACE = 8   /* the workspace is too small */
+  TL_NO_SPACE = 8   /* the workspace is too small, or a rule of the user has too many coefficients */
 };
 
 /* What went wrong: all kinds so far, and function and source line of the first. */

@@ -10,13 +10,21 @@
  *     log, log2, log10         DOMAIN at and below 0                 log1p              DOMAIN at and below -1
  *     asin, acos               DOMAIN past 1, SINGULAR at 1 and -1   atanh              DOMAIN at and past 1 and -1
  *     acosh                    DOMAIN below 1, SINGULAR at 1         hypot, atan2       SINGULAR at (0,0)
- *     fmin, fmax               SINGULAR at a tie of different jets   copysign           SINGULAR where either value is 0
- *     pow, powc, powi, rpow    as said below
+ *     fmin, fmax, fdim         SINGULAR at a tie of different jets   copysign           SINGULAR where either value is 0
+ *     tgamma, lgamma           DOMAIN at 0, -1, -2, ..               fmod, remainder    DOMAIN at b = 0, SINGULAR at jumps
+ *     pow, powc, powi, rpow    as said below                         floor .. rint      SINGULAR at jumps
  *
  * atan2 has its derivatives on the negative x axis too, where its value jumps from -pi to pi.
  *
- * Cost, in products of two jets: exp.. log.., sqrt, cbrt, powc, rpow 1; sin, cos, sincos, sinh, cosh, tan, tanh 2; asin.. atanh, erf 3;
- * atan2 4; pow 5; hypot 7; powi with n > 0 min(n, degree) - 1. */
+ * Jumps. The derivatives of floor, ceil, trunc, round and rint are 0, and those of fmod and remainder are da - n db with their quotient
+ * n, everywhere but where the value jumps: floor and ceil at integers, trunc at integers other than 0, round and rint halfway between
+ * two, fmod where it is 0 and a is not, remainder where it is b/2 or -b/2. There no derivative exists, and whoever reaches such a point
+ * hears of it rather than getting the derivative of one side: a table that is looked up at floor(x) has another row on either side of
+ * x = 3, so that at 3 itself its slope is not defined. A single number (a shape of degree 0) has the value that C says.
+ *
+ * Cost, in products of two jets: exp.. log.., sqrt, cbrt, powc, rpow 1; sin, cos, sincos, sinh, cosh, tan, tanh 2; asin.. atanh, erf,
+ * erfc 3; atan2 4; pow 5; hypot 7; powi with n > 0 min(n, degree) - 1; tgamma and lgamma degree - 1, and about 20 (degree + 1)
+ * divisions and products of two numbers in twice the precision, three times as many for a < 0. The rest are copies. */
 #ifndef TAYLOR_ELEMENTARY_H
 #define TAYLOR_ELEMENTARY_H
 
@@ -50,6 +58,11 @@ void tl_asinh(tl_ctx *cx, tl_real *c, const tl_real *a);
 void tl_acosh(tl_ctx *cx, tl_real *c, const tl_real *a);
 void tl_atanh(tl_ctx *cx, tl_real *c, const tl_real *a);
 void tl_erf(tl_ctx *cx, tl_real *c, const tl_real *a);
+void tl_erfc(tl_ctx *cx, tl_real *c, const tl_real *a);
+
+/* The gamma function and log|gamma|; their stack holds some 700 numbers. The C library's lgamma also writes its global signgam. */
+void tl_tgamma(tl_ctx *cx, tl_real *c, const tl_real *a);
+void tl_lgamma(tl_ctx *cx, tl_real *c, const tl_real *a);
 
 /* c = a^b; a^x and a^n with a constant exponent; x^b with a constant base. A constant exponent is: an integer, with any base but 0
  * below 0 (DOMAIN); or another number, with a base above 0, or 0 where it is larger than the shape's degree (0: SINGULAR for smaller
@@ -65,8 +78,28 @@ void tl_hypot(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b);
 void tl_fabs(tl_ctx *cx, tl_real *c, const tl_real *a);
 void tl_fmin(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b);
 void tl_fmax(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b);
+void tl_fdim(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b);                  /* a - b where a > b, else 0 */
 void tl_fma(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b, const tl_real *d); /* a*b + d */
 void tl_copysign(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b);              /* |a| with the sign of b */
+
+/* The value stepwise, all derivatives 0. tl_rint is nearbyint too. */
+void tl_floor(tl_ctx *cx, tl_real *c, const tl_real *a);
+void tl_ceil(tl_ctx *cx, tl_real *c, const tl_real *a);
+void tl_trunc(tl_ctx *cx, tl_real *c, const tl_real *a);
+void tl_round(tl_ctx *cx, tl_real *c, const tl_real *a);
+void tl_rint(tl_ctx *cx, tl_real *c, const tl_real *a);
+
+/* a - n b with n = a/b cut to an integer (fmod) or rounded to the nearest (remainder). The value is exact. In the derivatives n is
+ * exact below 1/TL_EPSILON, above it right to about an ulp; a quotient beyond the range of numbers sets TL_NONFINITE unless b is
+ * constant. */
+void tl_fmod(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b);
+void tl_remainder(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b);
+
+void tl_scalbn(tl_ctx *cx, tl_real *c, const tl_real *a, int n); /* a 2^n, ldexp too */
+
+/* C's rounding to float, of the value alone: the derivatives are those of the operation before it. A value that is no float any more
+ * sets TL_NONFINITE. */
+void tl_float(tl_ctx *cx, tl_real *c, const tl_real *a);
 
 #ifdef __cplusplus
 }

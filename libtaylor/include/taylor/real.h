@@ -24,6 +24,9 @@ typedef double tl_real;
 #define TL_LIBM(name) name
 #endif
 
+/* x rounded to C's float. */
+#define TL_TO_SINGLE(x) ((tl_real)(float)(x))
+
 /* TL_LIBM(sin)(x) calls the C library's function for tl_real. A finite value is one whose difference with itself is zero. */
 #define TL_ISFINITE(x) ((x) - (x) == TL_C(0.0))
 

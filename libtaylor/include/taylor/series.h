@@ -44,10 +44,6 @@ void tl_divc(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real x);
 /* c = f(a) from f's Taylor coefficients at a[0]: f[k] = f^(k)(a[0])/k!, k = 0..shape->degree. */
 void tl_compose(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *f);
 
-/* c = f(a) for a function with a rule of its own: rule fills f[0..degree] with Taylor coefficients at x and returns status bits. */
-typedef unsigned tl_rule(tl_real *f, tl_real x, int degree, const void *user);
-void tl_apply(tl_ctx *cx, tl_real *c, const tl_real *a, tl_rule *rule, const void *user);
-
 /* The coefficient, and the partial derivative d^(k+|alpha|)/ds^k dt^alpha at zero; 0 outside the shape. alpha as in tl_index. */
 tl_real tl_coef(const tl_shape *s, const tl_real *a, int k, const int *alpha);
 tl_real tl_deriv(const tl_shape *s, const tl_real *a, int k, const int *alpha);

@@ -3,5 +3,6 @@
 #define TAYLOR_TAYLOR_H
 
 #include "taylor/elementary.h"
+#include "taylor/rule.h"
 
 #endif

@@ -1,0 +1,156 @@
+/* The gamma function and the logarithm of its size.
+ *
+ * log|Gamma(x+h)| = log|Gamma(x)| + psi(x) h + sum_{k>=2} (-1)^k zeta(k,x)/k h^k, zeta(k,x) = sum_{n>=0} (x+n)^-k. The series are
+ * computed in twice the precision and rounded once, so that neither the zeros of psi nor the neighbourhood of a pole costs digits. */
+#include "block.h"
+#include "taylor/elementary.h"
+#include "wide.h"
+
+enum { MAX_DEGREE = TL_MAX_CURVE + TL_MAX_ORDER, NBERNOULLI = 10 };
+
+/* B_2j, j = 1..NBERNOULLI. From X = SHIFT up the first term left out, B_22/X^22, is below 1e-22 of the sum. */
+static const tl_real BERNOULLI[NBERNOULLI] = {TL_C(0.166666666666666666666666666667),  TL_C(-0.0333333333333333333333333333333),
+                                              TL_C(0.0238095238095238095238095238095), TL_C(-0.0333333333333333333333333333333),
+                                              TL_C(0.0757575757575757575757575757576), TL_C(-0.253113553113553113553113553114),
+                                              TL_C(1.16666666666666666666666666667),   TL_C(-7.09215686274509803921568627451),
+                                              TL_C(54.9711779448621553884711779449),   TL_C(-529.124242424242424242424242424)};
+static const tl_real SHIFT = TL_C(16.0);
+
+/* log 16: the first 24 bits, which are exact in either precision, and the rest. */
+static const tl_wide LOG_SHIFT = {.hi = TL_C(2.7725887298583984375), .lo = TL_C(-7.6186171998310715141672937e-9)};
+
+static tl_wide add_real(tl_wide a, tl_real x) { return tl_wide_add(a, tl_widen(x)); }
+
+/* log x. Between SHIFT and SHIFT + 1 in twice the precision: log SHIFT + 2 atanh z, z = (x - SHIFT)/(x + SHIFT) <= 1/33, with the terms
+ * from z^3 up in single; elsewhere the C library's. */
+static tl_wide wide_log(tl_wide x) {
+  if (x.hi < SHIFT || x.hi > SHIFT + TL_C(1.0)) return tl_widen(TL_LIBM(log)(x.hi));
+  enum { NTERM = 8 };
+  const tl_wide z = tl_wide_div(add_real(x, -SHIFT), add_real(x, SHIFT));
+  const tl_real square = z.hi * z.hi;
+  tl_real sum = TL_C(0.0);
+  for (int j = NTERM; j > 0; j--) sum = square * (sum + TL_C(1.0) / (tl_real)(2 * j + 1));
+  const tl_wide half = add_real(z, z.hi * sum);
+  return tl_wide_add(LOG_SHIFT, tl_wide_add(half, half));
+}
+
+/* psi(x) = log X - 1/(2X) - sum_j B_2j/(2j X^2j) - sum_{n<N} 1/(x+n), X = x+N >= SHIFT; x > 0. */
+static tl_wide digamma(tl_wide x) {
+  const tl_wide minus_one = tl_widen(-TL_C(1.0));
+  tl_wide sum = tl_widen(TL_C(0.0));
+  for (; x.hi < SHIFT; x = add_real(x, TL_C(1.0))) sum = tl_wide_add(sum, tl_wide_div(minus_one, x));
+  const tl_wide half = tl_wide_div(tl_widen(-TL_C(0.5)), x);
+  const tl_real square = TL_C(4.0) * half.hi * half.hi;
+  tl_real tail = TL_C(0.0);
+  for (int j = NBERNOULLI; j > 0; j--) tail = square * (tail - BERNOULLI[j - 1] / (tl_real)(2 * j));
+  return tl_wide_add(tl_wide_add(sum, half), add_real(wide_log(x), tail));
+}
+
+/* The tail of zeta(k,X) over X^(1-k) (Euler, Maclaurin), r = 1/X:
+ *     1/(k-1) + r/2 + sum_j B_2j/(2j)! k(k+1)..(k+2j-2) r^2j. */
+static tl_wide zeta_tail(int k, tl_wide r) {
+  tl_real sum = TL_C(0.0), factor = (tl_real)k * r.hi * r.hi / TL_C(2.0);
+  for (int j = 1; j <= NBERNOULLI; j++) {
+    sum += BERNOULLI[j - 1] * factor;
+    factor *= (tl_real)(k + 2 * j - 1) * (tl_real)(k + 2 * j) * r.hi * r.hi / ((tl_real)(2 * j + 1) * (tl_real)(2 * j + 2));
+  }
+  const tl_wide whole = tl_wide_div(tl_widen(TL_C(1.0)), tl_widen((tl_real)(k - 1)));
+  return add_real(tl_wide_add(whole, tl_wide_mul(r, tl_widen(TL_C(0.5)))), sum);
+}
+
+/* s[1] = psi(x), s[k] = zeta(k,x) for k = 2..degree; x > 0. The tails start where the terms of degree k still fall quickly. */
+static void polygammas(tl_wide *s, tl_wide x, int degree) {
+  const tl_wide one = tl_widen(TL_C(1.0));
+  const tl_real start = SHIFT + (tl_real)degree;
+  s[1] = digamma(x);
+  for (int k = 2; k <= degree; k++) s[k] = tl_widen(TL_C(0.0));
+  if (degree < 2) return;
+  for (; x.hi < start; x = add_real(x, TL_C(1.0))) {
+    const tl_wide r = tl_wide_div(one, x);
+    tl_wide power = r;
+    for (int k = 2; k <= degree; k++) {
+      power = tl_wide_mul(power, r);
+      s[k] = tl_wide_add(s[k], power);
+    }
+  }
+  const tl_wide r = tl_wide_div(one, x);
+  tl_wide power = one;
+  for (int k = 2; k <= degree; k++) {
+    power = tl_wide_mul(power, r);
+    s[k] = tl_wide_add(s[k], tl_wide_mul(power, zeta_tail(k, r)));
+  }
+}
+
+/* f[k] = coefficient k of log|Gamma(x+h)|, k = 1..degree, for every x but the poles. Below zero the sum over n is cut at the fraction
+ * y = x - floor(x) of x: zeta(k,x) = zeta(k,y) + (-1)^k (zeta(k,1-y) - zeta(k,1-x)), and so for psi with k = 1. */
+static void log_gamma_series(tl_wide *f, tl_real x, int degree) {
+  if (degree == 0) return;
+  if (x > TL_C(0.0)) {
+    polygammas(f, tl_widen(x), degree);
+  } else {
+    tl_wide mirrored[MAX_DEGREE + 1], far[MAX_DEGREE + 1];
+    const tl_real below = TL_LIBM(floor)(x);
+    polygammas(f, tl_wide_sum(x, -below), degree);
+    polygammas(mirrored, tl_wide_sum(below + TL_C(1.0), -x), degree);
+    polygammas(far, tl_wide_sum(TL_C(1.0), -x), degree);
+    for (int k = 1; k <= degree; k++) {
+      const tl_wide between = tl_wide_add(mirrored[k], tl_wide_neg(far[k]));
+      f[k] = tl_wide_add(f[k], k % 2 ? tl_wide_neg(between) : between);
+    }
+  }
+  for (int k = 2; k <= degree; k++) f[k] = tl_wide_div(f[k], tl_widen((tl_real)(k % 2 ? -k : k)));
+}
+
+/* True where x is no pole; otherwise c is rejected. */
+static int off_the_poles(tl_ctx *cx, tl_real *c, tl_real x, tl_fn function) {
+  if (!tl_accept(cx, c, x, function)) return 0;
+  if (x > TL_C(0.0) || x != TL_LIBM(floor)(x)) return 1;
+  tl_reject(cx, c, TL_DOMAIN, function);
+  return 0;
+}
+
+void tl_lgamma(tl_ctx *cx, tl_real *c, const tl_real *a) {
+  if (!off_the_poles(cx, c, a[0], TL_FN_lgamma)) return;
+  const int degree = cx->shape->degree;
+  tl_wide l[MAX_DEGREE + 1];
+  tl_real f[MAX_DEGREE + 1];
+  log_gamma_series(l, a[0], degree);
+  f[0] = TL_LIBM(lgamma)(a[0]);
+  for (int k = 1; k <= degree; k++) f[k] = tl_narrow(l[k]);
+  tl_compose_blocks(cx, c, a, f, degree, 0);
+  tl_check(cx, c, TL_FN_lgamma);
+}
+
+/* Below STEEP Gamma may underflow although its derivatives beside a pole do not. Below DEAD they do too: coefficient k is about
+ * e^(-k-1)/1000! at a distance e from the pole, and e is above 1e-13. */
+static const tl_real STEEP = TL_C(-150.0), DEAD = TL_C(-1000.0);
+
+/* p Gamma(x), by Gamma(x) = Gamma(x+n)/(x (x+1) .. (x+n-1)) where Gamma(x) could underflow; the sums x+i are exact. */
+static tl_real times_gamma(tl_wide p, tl_real x, tl_real value) {
+  if (x >= STEEP) return p.hi * value + p.lo * value;
+  if (x < DEAD) return TL_C(0.0);
+  const tl_real n = TL_LIBM(ceil)(STEEP - x);
+  tl_real product = tl_narrow(p) * TL_LIBM(tgamma)(x + n);
+  for (tl_real i = n - TL_C(1.0); i >= TL_C(0.0); i -= TL_C(1.0)) product /= x + i;
+  return product;
+}
+
+/* Gamma(x+h) = Gamma(x) p, k p_k = sum_{j=1..k} j l_j p_(k-j) with l of the logarithm. */
+void tl_tgamma(tl_ctx *cx, tl_real *c, const tl_real *a) {
+  if (!off_the_poles(cx, c, a[0], TL_FN_tgamma)) return;
+  const int degree = cx->shape->degree;
+  const tl_real x = a[0], value = TL_LIBM(tgamma)(x);
+  tl_wide l[MAX_DEGREE + 1], p[MAX_DEGREE + 1];
+  tl_real f[MAX_DEGREE + 1];
+  log_gamma_series(l, x, degree);
+  p[0] = tl_widen(TL_C(1.0));
+  f[0] = value;
+  for (int k = 1; k <= degree; k++) {
+    p[k] = tl_widen(TL_C(0.0));
+    for (int j = 1; j <= k; j++) p[k] = tl_wide_add(p[k], tl_wide_mul(tl_wide_mul(l[j], tl_widen((tl_real)j)), p[k - j]));
+    p[k] = tl_wide_div(p[k], tl_widen((tl_real)k));
+    f[k] = times_gamma(p[k], x, value);
+  }
+  tl_compose_blocks(cx, c, a, f, degree, 0);
+  tl_check(cx, c, TL_FN_tgamma);
+}

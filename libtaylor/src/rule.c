@@ -1,0 +1,87 @@
+/* Functions with a rule of the user's. */
+#include "taylor/rule.h"
+#include "block.h"
+
+void tl_apply(tl_ctx *cx, tl_real *c, const tl_real *a, tl_rule *rule, const void *user) {
+  tl_real f[TL_MAX_CURVE + TL_MAX_ORDER + 1];
+  const unsigned bits = rule(f, a[0], cx->shape->degree, user);
+  if (bits != TL_OK)
+    tl_reject(cx, c, bits, TL_FN_compose);
+  else
+    tl_compose(cx, c, a, f);
+}
+
+/* binomial(nargs + degree, nargs) by the partial products binomial(degree + i, i). */
+int tl_rule_size(int nargs, int degree) {
+  int n = 1;
+  assert(nargs >= 0 && nargs <= TL_RULE_ARGS && degree >= -1);
+  for (int i = 1; i <= nargs; i++) n = n * (degree + i) / i;
+  return n;
+}
+
+/* Before x_1^e_1 .. x_n^e_n stand all monomials of lower degree, and those of the same degree with a higher power of x_1, which are as
+ * many as there are monomials in x_2..x_n of degree below e_2 + .. + e_n; and so on without x_1. */
+int tl_rule_index(int nargs, const int *alpha) {
+  int degree = 0, place = 0;
+  assert(nargs >= 1 && nargs <= TL_RULE_ARGS);
+  for (int i = nargs - 1; i >= 0; i--) {
+    degree += alpha[i];
+    place += tl_rule_size(nargs - i, degree - 1);
+  }
+  return place;
+}
+
+/* The polynomial in the jets h_i = args_i - args_i(0) whose coefficients f holds. */
+typedef struct polynomial {
+  tl_ctx *cx;
+  int nargs;
+  const tl_real *const *args;
+  const tl_real *f;
+  int exponent[TL_RULE_ARGS];
+} polynomial;
+
+/* Scratch jet i = the part of the polynomial with the exponents of the arguments above i as they stand, their powers left out: by
+ * Horner's scheme in h_i, whose coefficients are such parts for i - 1. used: sum of those exponents. Only blocks of weight at most
+ * degree - used can reach the result. */
+static tl_real *sum_part(polynomial *p, int i, int used) {
+  const tl_shape *s = p->cx->shape;
+  tl_real *c = tl_scratch(p->cx, i);
+  tl_row_zero(s->ncoef, c);
+  for (int e = s->degree - used; e >= 0; e--) {
+    const int top = s->degree - used - e;
+    p->exponent[i] = e;
+    if (i == 0) {
+      tl_horner_step(s, c, p->args[i], p->f[tl_rule_index(p->nargs, p->exponent)], top);
+    } else {
+      const tl_real *next = sum_part(p, i - 1, used + e);
+      tl_horner_step(s, c, p->args[i], next[0], top);
+      for (int k = 1; k < s->ncoef; k++) c[k] += next[k];
+    }
+  }
+  return c;
+}
+
+void tl_apply_n(tl_ctx *cx, tl_real *c, int nargs, const tl_real *const *args, tl_rule_n *rule, const void *user) {
+  tl_real f[TL_RULE_MAX], x[TL_RULE_ARGS];
+  const int degree = cx->shape->degree;
+  assert(nargs >= 1 && nargs <= TL_RULE_ARGS);
+  for (int i = 0; i < nargs; i++) {
+    x[i] = args[i][0];
+    if (!tl_accept(cx, c, x[i], TL_FN_compose)) return;
+  }
+  const int n = tl_rule_size(nargs, degree);
+  if (n > TL_RULE_MAX) {
+    tl_reject(cx, c, TL_NO_SPACE, TL_FN_compose);
+    return;
+  }
+  for (int i = 0; i < n; i++) f[i] = (tl_real)NAN;
+  const unsigned bits = rule(f, x, degree, user);
+  if (bits != TL_OK) {
+    tl_reject(cx, c, bits, TL_FN_compose);
+    return;
+  }
+  polynomial p = {.cx = cx, .nargs = nargs, .args = args, .f = f};
+  const tl_real *sum = sum_part(&p, nargs - 1, 0);
+  for (int i = 0; i < cx->shape->ncoef; i++) c[i] = sum[i];
+  tl_check(cx, c, TL_FN_compose);
+}
