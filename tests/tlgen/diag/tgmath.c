@@ -1,0 +1,8 @@
+/* The functions of tgmath.h: which one a call means is decided behind a macro. */
+#include <tgmath.h>
+double L(const double *q)
+{
+  double s = sin(q[0]); /* expect: unknown-function */
+  s += pow(q[0], 2);    /* expect: unknown-function */
+  return s;
+}
