@@ -34,5 +34,5 @@ double L(const double *q)
 {
   real y = q[0]; /* expect: long-double */
   return (double)argument(q[0]) + literal(q[0]) + cast(q[0], 1.0) + /* expect: long-double */
-         constant(q[0]) + table(q[0]) + member(q[0]) + through(&y) + root(q[0]) + accumulated(q) + quad(q[0]);
+         constant(q[0]) + table(q[0]) + member(q[0]) + through(&y) + root(q[0]) + accumulated(q) + quad(q[0]); /* expect: long-double */
 }
