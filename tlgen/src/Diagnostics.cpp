@@ -1,8 +1,10 @@
 // Collected messages about the user's source.
 #include "Diagnostics.h"
+#include "Paths.h"
 
 #include <algorithm>
 #include <cassert>
+#include <functional>
 #include <ostream>
 #include <tuple>
 
@@ -23,33 +25,30 @@ const DiagnosticKind *findDiagnostic(const std::string &id) {
   return nullptr;
 }
 
+bool Message::operator<(const Message &other) const {
+  auto key = [](const Message &m) { return std::make_tuple(std::cref(m.file), m.line, m.column, m.kind, std::cref(m.what)); };
+  return key(*this) < key(other);
+}
+
 void Diagnostics::add(const char *id, const std::string &file, unsigned line, unsigned column, const std::string &what) {
   const DiagnosticKind *kind = findDiagnostic(id);
   assert(kind && "an id outside Diagnostics.def");
-  for (const Message &m : messages_)
-    if (m.kind == kind && m.file == file && m.line == line && m.column == column && m.what == what) return;
-  if (kind->severity == Severity::Error) ++errors_;
-  messages_.push_back({file, line, column, kind, what});
+  messages_.insert({fromHere(file), line, column, kind, what});
 }
 
 void Diagnostics::add(const char *id, const Program &program, const Loc &loc, const std::string &what) {
   add(id, loc.file >= 0 ? program.paths[static_cast<size_t>(loc.file)] : "", loc.line, loc.column, what);
 }
 
+bool Diagnostics::hasErrors() const {
+  return std::any_of(messages_.begin(), messages_.end(), [this](const Message &m) { return isError(m); });
+}
+
 void Diagnostics::print(std::ostream &out) const {
-  std::vector<Message> sorted = messages_;
-  std::stable_sort(sorted.begin(), sorted.end(), [](const Message &a, const Message &b) {
-    return std::tie(a.file, a.line, a.column) < std::tie(b.file, b.line, b.column);
-  });
-  for (const Message &m : sorted) {
-    if (m.file.empty())
-      out << "tlgen: ";
-    else
-      out << m.file << ':';
+  for (const Message &m : messages_) {
+    out << (m.file.empty() ? "tlgen" : m.file) << ':';
     if (m.line) out << m.line << ':' << m.column << ':';
-    if (!m.file.empty()) out << ' ';
-    out << (m.kind->severity == Severity::Error ? "error: " : "warning: ") << m.what << ": " << m.kind->why << " [" << m.kind->id
-        << "]\n"
+    out << (isError(m) ? " error: " : " warning: ") << m.what << ": " << m.kind->why << " [" << m.kind->id << "]\n"
         << "  instead: " << m.kind->instead << '\n';
   }
 }

@@ -5,6 +5,7 @@
 #include "Program.h"
 
 #include <iosfwd>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,25 +24,35 @@ struct DiagnosticKind {
 const DiagnosticKind *findDiagnostic(const std::string &id);
 const std::vector<DiagnosticKind> &allDiagnostics();
 
+struct Message {
+  std::string file; // relative to the working directory where it is inside of that; empty for a fault of the command line
+  unsigned line, column;
+  const DiagnosticKind *kind;
+  std::string what;
+  // The order of printing: by place, then by text.
+  bool operator<(const Message &other) const;
+};
+
 class Diagnostics {
 public:
-  // Adds a message. what names the thing at fault; file is the path as the user gave it, empty for a fault of the command line.
+  // Adds a message. what names the thing at fault; file is a path, empty for a fault of the command line.
   void add(const char *id, const std::string &file, unsigned line, unsigned column, const std::string &what);
   // The same at a place of the program.
   void add(const char *id, const Program &program, const Loc &loc, const std::string &what);
-  bool hasErrors() const { return errors_ > 0; }
+  // Adds the messages of another run over the same sources; what both found is found once.
+  void add(const Diagnostics &other) { messages_.insert(other.messages_.begin(), other.messages_.end()); }
+  // From now on a warning counts as an error.
+  void promoteWarnings() { promote_ = true; }
+
+  bool isError(const Message &m) const { return promote_ || m.kind->severity == Severity::Error; }
+  bool hasErrors() const;
+  const std::set<Message> &messages() const { return messages_; }
   // Prints all messages by file, line and column, each once:  file:line:col: error: what: why [id] and a line with the way out.
   void print(std::ostream &out) const;
 
 private:
-  struct Message {
-    std::string file;
-    unsigned line, column;
-    const DiagnosticKind *kind;
-    std::string what;
-  };
-  std::vector<Message> messages_;
-  int errors_ = 0;
+  std::set<Message> messages_;
+  bool promote_ = false;
 };
 
 } // namespace tlgen

@@ -1,5 +1,7 @@
 // Runs Clang over the source files.
 #include "Frontend.h"
+#include "Paths.h"
+#include "Source.h"
 
 #include "clang/Basic/Diagnostic.h"
 #include "clang/Basic/SourceManager.h"
@@ -26,7 +28,7 @@ public:
     unsigned line = 0, column = 0;
     if (info.hasSourceManager() && info.getLocation().isValid()) {
       clang::PresumedLoc loc = info.getSourceManager().getPresumedLoc(info.getLocation());
-      if (loc.isValid()) file = loc.getFilename(), line = loc.getLine(), column = loc.getColumn();
+      if (loc.isValid()) file = pathOf(info.getSourceManager(), loc), line = loc.getLine(), column = loc.getColumn();
     }
     diags_.add(idOf(info.getID()), file, line, column, text.str().str());
   }
@@ -48,6 +50,15 @@ std::unique_ptr<tooling::CompilationDatabase> makeDatabase(const Options &o, Dia
   return database;
 }
 
+// The name of the source as Clang shall print it, from whatever folder it is compiled.
+tooling::ArgumentsAdjuster absoluteSource(const std::string &source) {
+  return [path = tooling::getAbsolutePath(source)](const tooling::CommandLineArguments &args, llvm::StringRef file) {
+    tooling::CommandLineArguments changed;
+    for (const std::string &arg : args) changed.push_back(arg == file ? path : arg);
+    return changed;
+  };
+}
+
 tooling::ArgumentsAdjuster ownArguments(const Options &o) {
   std::vector<std::string> before = {"-xc", "-D__TLGEN__=1", "-DNDEBUG", "-ferror-limit=0", "-Wno-everything"};
   // Of Clang's warnings those that mean a wrong number.
@@ -65,9 +76,9 @@ tooling::ArgumentsAdjuster ownArguments(const Options &o) {
 // The key of the source manager's table is a pointer up to LLVM 17.
 template <class Entry> std::string fileName(const Entry &entry) {
   if constexpr (std::is_pointer_v<Entry>)
-    return entry->getName().str();
+    return fromHere(entry->getName().str(), entry->tryGetRealPathName().str());
   else
-    return entry.getName().str();
+    return fromHere(entry.getName().str(), entry.getFileEntry().tryGetRealPathName().str());
 }
 
 void collectFiles(const clang::SourceManager &sm, std::set<std::string> &files) {
@@ -76,25 +87,42 @@ void collectFiles(const clang::SourceManager &sm, std::set<std::string> &files) 
 
 } // namespace
 
-std::vector<std::unique_ptr<clang::ASTUnit>> parseSources(const Options &o, Diagnostics &diags, std::set<std::string> &files) {
-  for (const std::string &source : o.sources)
-    if (!llvm::sys::fs::is_regular_file(source)) diags.add("no-file", source, 0, 0, "source file");
-  if (diags.hasErrors()) return {};
-  auto database = makeDatabase(o, diags);
-  if (!database) return {};
-  tooling::ClangTool tool(*database, o.sources);
-  Collector collector(diags);
+Frontend::Unit &Frontend::unit(const std::string &source, const Options &o) {
+  std::vector<std::string> key = {source, o.compileCommands};
+  key.insert(key.end(), o.compilerArgs.begin(), o.compilerArgs.end());
+  auto [place, isNew] = units_.try_emplace(key);
+  Unit &u = place->second;
+  if (!isNew) return u;
+  auto database = makeDatabase(o, u.diags);
+  if (!llvm::sys::fs::is_regular_file(source)) u.diags.add("no-file", source, 0, 0, "source file");
+  if (u.diags.hasErrors()) return u;
+  tooling::ClangTool tool(*database, {source});
+  Collector collector(u.diags);
   tool.setDiagnosticConsumer(&collector);
   tool.setPrintErrorMessage(false);
   tool.clearArgumentsAdjusters();
   tool.appendArgumentsAdjuster(tooling::getClangSyntaxOnlyAdjuster());
+  tool.appendArgumentsAdjuster(absoluteSource(source));
   tool.appendArgumentsAdjuster(ownArguments(o));
-  std::vector<std::unique_ptr<clang::ASTUnit>> units;
-  int failed = tool.buildASTs(units);
-  if (failed && !diags.hasErrors()) diags.add("syntax", o.sources[0], 0, 0, "Clang could not read the file");
-  if (diags.hasErrors()) return {};
-  for (auto &unit : units) collectFiles(unit->getSourceManager(), files);
-  return units;
+  std::vector<std::unique_ptr<clang::ASTUnit>> trees;
+  bool failed = tool.buildASTs(trees) != 0 || trees.empty();
+  if (failed && !u.diags.hasErrors()) u.diags.add("syntax", source, 0, 0, "Clang could not read the file");
+  if (u.diags.hasErrors()) return u;
+  collectFiles(trees[0]->getSourceManager(), u.files);
+  u.tree = std::move(trees[0]);
+  return u;
+}
+
+Parsed Frontend::parse(const Options &o, Diagnostics &diags) {
+  Parsed parsed;
+  for (const std::string &source : o.sources) {
+    Unit &u = unit(source, o);
+    diags.add(u.diags);
+    parsed.files.insert(u.files.begin(), u.files.end());
+    parsed.units.push_back(u.tree.get());
+  }
+  if (diags.hasErrors()) parsed.units.clear();
+  return parsed;
 }
 
 } // namespace tlgen

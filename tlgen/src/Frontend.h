@@ -7,13 +7,33 @@
 
 #include "clang/Frontend/ASTUnit.h"
 
+#include <map>
 #include <memory>
 #include <set>
 
 namespace tlgen {
 
-// The trees of all sources, in their order; empty on any error (then diags says why). files receives every file that was read.
-std::vector<std::unique_ptr<clang::ASTUnit>> parseSources(const Options &options, Diagnostics &diags, std::set<std::string> &files);
+// The sources of one model.
+struct Parsed {
+  std::vector<clang::ASTUnit *> units; // in the order of the sources
+  std::set<std::string> files;         // every file that was read
+};
+
+// Reads each source once for the same compiler arguments, however many models are made of it. The trees live as long as this object.
+class Frontend {
+public:
+  // Without units on any error; then diags says why.
+  Parsed parse(const Options &options, Diagnostics &diags);
+
+private:
+  struct Unit {
+    std::unique_ptr<clang::ASTUnit> tree; // null on an error
+    Diagnostics diags;
+    std::set<std::string> files;
+  };
+  Unit &unit(const std::string &source, const Options &options);
+  std::map<std::vector<std::string>, Unit> units_; // by source and compiler arguments
+};
 
 } // namespace tlgen
 

@@ -6,6 +6,8 @@
 #include "Lower.h"
 #include "Names.h"
 #include "Output.h"
+#include "Paths.h"
+#include "Sarif.h"
 
 #include <csignal>
 #include <filesystem>
@@ -15,59 +17,81 @@ namespace tlgen {
 namespace {
 
 std::string depRule(const std::string &target, const std::set<std::string> &files) {
-  std::string s = target + ":";
-  for (const std::string &file : files) {
-    s += " \\\n ";
-    for (char ch : file) s += ch == ' ' ? "\\ " : std::string(1, ch);
-  }
+  std::string s = makePath(target) + ":";
+  for (const std::string &file : files) s += " \\\n " + makePath(file);
   return s + "\n";
 }
 
-// True, with a message, where an output is one of the files that were read, by whatever path.
-bool overwrites(const std::set<std::string> &read, const std::vector<std::string> &outputs) {
-  for (const std::string &out : outputs)
-    for (const std::string &file : read) {
-      std::error_code none;
-      if (!std::filesystem::equivalent(file, out, none) || none) continue;
-      std::cerr << "tlgen: -o: " << out << " is a source; it would be overwritten\nTry 'tlgen --help'.\n";
-      return true;
-    }
-  return false;
+using OutFiles = std::vector<std::pair<std::string, std::string>>; // path and text
+
+int wrongOutput(const std::string &what) {
+  std::cerr << "tlgen: " << what << "\nTry 'tlgen --help'.\n";
+  return 2;
 }
 
-int refuse(const Diagnostics &diags) {
-  diags.print(std::cerr);
-  return 1;
+// True, with a message, where an output is one of the files that were read, by whatever path, or two outputs are one file.
+bool overwrites(const Run &run, std::set<std::string> read) {
+  read.insert(run.modelsFile);
+  std::set<std::filesystem::path> written;
+  auto taken = [&](const std::string &option, const std::string &out) {
+    std::error_code none;
+    for (const std::string &file : read)
+      if (std::filesystem::equivalent(file, out, none) && !none)
+        return wrongOutput(option + ": " + out + " is a source; it would be overwritten");
+    if (!written.insert(std::filesystem::weakly_canonical(out, none)).second)
+      return wrongOutput(option + ": " + out + " would be written twice");
+    return 0;
+  };
+  for (const Options &o : run.models)
+    if (taken("-o", o.output) || taken("-o", o.header()) || (o.depfile && taken("-MD", o.depFile()))) return true;
+  return !run.sarif.empty() && taken("--sarif", run.sarif);
 }
 
-} // namespace
-
-int generate(const Options &options) {
-  std::signal(SIGXFSZ, SIG_IGN); // a file that grows past the limit is a write error like any other
-  Diagnostics diags;
-  std::set<std::string> files;
-  auto units = parseSources(options, diags, files);
-  if (diags.hasErrors()) return refuse(diags);
-  std::string header = options.output.substr(0, options.output.size() - 2) + ".h";
-  if (overwrites(files, {options.output, header})) return 2;
-  Source source(units, diags);
+// The files of one model; none on an error.
+OutFiles makeModel(const Options &options, const Parsed &parsed, const std::string &modelsFile, Diagnostics &diags) {
+  Source source(parsed.units, diags);
   Match match = matchModel(source, options, diags);
   auto functions = checkSubset(source, match);
-  if (diags.hasErrors()) return refuse(diags);
+  if (diags.hasErrors()) return {};
 
   Program program;
   Model model;
   lower(source, match, functions, options.model, program, model);
   separateNames(program, model.name);
   Activity activity(program, model, diags);
-  if (diags.hasErrors()) return refuse(diags);
+  if (diags.hasErrors()) return {};
 
+  std::string header = options.header();
   EmittedModel text = emitCalls(program, model, activity, diags, header.substr(header.find_last_of('/') + 1));
-  if (diags.hasErrors()) return refuse(diags);
-  diags.print(std::cerr);
-  std::vector<std::pair<std::string, std::string>> out = {{options.output, text.source}, {header, text.header}};
-  if (options.depfile) out.push_back({options.output + ".d", depRule(options.output, files)});
-  return writeFiles(out) ? 0 : 1;
+  OutFiles out = {{options.output, text.source}, {header, text.header}};
+  std::set<std::string> files = parsed.files;
+  if (!modelsFile.empty()) files.insert(modelsFile);
+  if (options.depfile) out.push_back({options.depFile(), depRule(options.output, files)});
+  return out;
+}
+
+} // namespace
+
+int generate(const Run &run) {
+  std::signal(SIGXFSZ, SIG_IGN); // a file that grows past the limit is a write error like any other
+  Frontend frontend;
+  Diagnostics all;
+  OutFiles out;
+  std::set<std::string> read;
+  for (const Options &options : run.models) {
+    Diagnostics diags;
+    Parsed parsed = frontend.parse(options, diags);
+    read.insert(parsed.files.begin(), parsed.files.end());
+    if (!diags.hasErrors())
+      for (auto &file : makeModel(options, parsed, run.modelsFile, diags)) out.push_back(std::move(file));
+    all.add(diags);
+  }
+  if (overwrites(run, read)) return 2;
+  if (run.werror) all.promoteWarnings();
+  all.print(std::cerr);
+  if (all.hasErrors()) out.clear();
+  if (!run.sarif.empty()) out.push_back({run.sarif, sarifText(all)});
+  return writeFiles(out) && !all.hasErrors() ? 0 : 1;
 }
 
 } // namespace tlgen

@@ -6,8 +6,10 @@
 
 namespace tlgen {
 
-// Exit status: 0 written, 1 refused or not writable (messages on stderr, no file).
-int generate(const Options &options);
+// Exit status: 0 written, 1 refused or not writable, 2 outputs that would overwrite something. Messages go to stderr, and to the file
+// of
+// --sarif; where the status is not 0 no other file is written.
+int generate(const Run &run);
 
 } // namespace tlgen
 

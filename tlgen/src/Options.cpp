@@ -1,6 +1,7 @@
 // The command line of tlgen: one table of options, one loop over the arguments.
 #include "Options.h"
 #include "Diagnostics.h"
+#include "ModelsFile.h"
 
 #include <iostream>
 #include <sstream>
@@ -10,6 +11,7 @@ namespace {
 
 const char *const help =
     R"(usage: tlgen [options] SOURCE.c [SOURCE.c ..] [-- compiler arguments]
+       tlgen --models FILE [options] [-- compiler arguments]
 
 Reads a Lagrangian, and constraint and force functions, written as plain C, and writes them as functions on truncated Taylor
 series, so that the runtime gets every derivative exactly. The C source stays as it is.
@@ -32,6 +34,14 @@ Output
   -o FILE.c              where to write (default: SOURCE_tl.c); FILE.h is written beside it
   -MD                    also write FILE.c.d, a make rule of all files that were read
   -p DIR                 take the compiler arguments from DIR/compile_commands.json
+  --sarif FILE           also write all messages to FILE, as SARIF 2.1.0; it is written where the source is refused too
+  --werror               treat warnings as errors
+
+Several models
+  --models FILE          each line of FILE is one model: its sources and options, and compiler arguments behind '--', with quotes as in
+                         a shell; # starts a comment, and \ at the end of a line continues it. What stands on the command line
+                         holds for every model. Sources are read once, all messages come in one run, and either all files of all
+                         models are written or none
 
 Help
   --explain ID           explain the message with this id; without ID list all ids
@@ -43,8 +53,10 @@ Then compile pendulum_tl.c with your program, include pendulum_tl.h, and hand pe
 Exit status: 0 written, 1 the source was refused (nothing is written), 2 wrong usage.
 )";
 
+std::string place; // of the line that is being read, in a file of models
+
 bool usageError(const std::string &message) {
-  std::cerr << "tlgen: " << message << "\nTry 'tlgen --help'.\n";
+  std::cerr << "tlgen: " << place << message << "\nTry 'tlgen --help'.\n";
   return false;
 }
 
@@ -77,7 +89,11 @@ bool setOnce(std::string &slot, const std::string &name, const std::string &valu
   return true;
 }
 
-bool setOption(Options &o, const std::string &name, const std::string &value) {
+bool ofTheRun(const std::string &name) { return name == "--sarif" || name == "--werror" || name == "--models"; }
+
+bool setOption(Options &o, Run *run, const std::string &name, const std::string &value) {
+  if (name == "--sarif") return setOnce(run->sarif, name, value);
+  if (name == "--models") return setOnce(run->modelsFile, name, value);
   if (name == "--lagrangian") return setOnce(o.lagrangian, name, value);
   if (name == "--force") return setOnce(o.force, name, value);
   if (name == "--dof") return setOnce(o.dof, name, value);
@@ -113,6 +129,53 @@ bool complete(Options &o) {
   return true;
 }
 
+// Options without a value; false where it is none of them.
+bool setFlag(Options &o, Run *run, const std::string &arg) {
+  if (arg == "-MD") return o.depfile = true;
+  if (arg == "--werror") return run->werror = true;
+  return false;
+}
+
+// run is null on a line of a file of models.
+bool parseArguments(const std::vector<std::string> &args, Options &o, Run *run) {
+  for (size_t i = 0; i < args.size(); ++i) {
+    const std::string &arg = args[i];
+    if (arg == "--") {
+      o.compilerArgs.insert(o.compilerArgs.end(), args.begin() + static_cast<long>(i) + 1, args.end());
+      return true;
+    }
+    size_t eq = arg.rfind("--", 0) == 0 ? arg.find('=') : std::string::npos;
+    std::string name = arg.substr(0, eq);
+    if (!run && ofTheRun(name)) return usageError(name + " belongs on the command line: it holds for all models");
+    if (setFlag(o, run, arg)) continue;
+    if (arg.size() < 2 || arg[0] != '-') {
+      o.sources.push_back(arg);
+      continue;
+    }
+    if (eq == std::string::npos && i + 1 >= args.size()) return usageError(name + " wants a value (or is no option)");
+    if (!setOption(o, run, name, eq == std::string::npos ? args[++i] : arg.substr(eq + 1))) return false;
+  }
+  return true;
+}
+
+// The models of the file, each with the options of the command line.
+bool readModels(const Options &common, Run &run) {
+  std::vector<ModelLine> lines;
+  std::string error;
+  if (!readModelsFile(run.modelsFile, lines, error)) return usageError(error);
+  for (const ModelLine &line : lines) {
+    place = run.modelsFile + ":" + std::to_string(line.number) + ": ";
+    Options o = common;
+    o.sources.clear();
+    if (!parseArguments(line.words, o, nullptr)) return false;
+    o.sources.insert(o.sources.end(), common.sources.begin(), common.sources.end());
+    if (!complete(o)) return false;
+    run.models.push_back(o);
+  }
+  place.clear();
+  return !lines.empty() || usageError(run.modelsFile + " names no model");
+}
+
 Command explain(const std::string &id) {
   if (id.empty()) {
     for (const DiagnosticKind &k : allDiagnostics()) std::cout << k.id << ": " << k.why << '\n';
@@ -130,30 +193,20 @@ Command explain(const std::string &id) {
 
 } // namespace
 
-Command parseOptions(int argc, const char *const *argv, Options &o) {
-  for (int i = 1; i < argc; ++i) {
-    std::string arg = argv[i];
-    if (arg == "--") {
-      o.compilerArgs.assign(argv + i + 1, argv + argc);
-      break;
-    }
-    if (arg == "--help" || arg == "-h") return std::cout << help, Command::Done;
-    if (arg == "--version") return std::cout << "tlgen " TLGEN_VERSION " (Clang " TLGEN_CLANG_VERSION ")\n", Command::Done;
-    if (arg == "--explain") return explain(i + 1 < argc ? argv[i + 1] : "");
-    if (arg == "-MD") {
-      o.depfile = true;
-      continue;
-    }
-    if (arg.size() < 2 || arg[0] != '-') {
-      o.sources.push_back(arg);
-      continue;
-    }
-    size_t eq = arg.rfind("--", 0) == 0 ? arg.find('=') : std::string::npos;
-    std::string name = arg.substr(0, eq);
-    if (eq == std::string::npos && i + 1 >= argc) return usageError(name + " wants a value (or is no option)"), Command::Fail;
-    if (!setOption(o, name, eq == std::string::npos ? argv[++i] : arg.substr(eq + 1))) return Command::Fail;
+Command parseOptions(int argc, const char *const *argv, Run &run) {
+  std::vector<std::string> args(argv + 1, argv + argc);
+  for (size_t i = 0; i < args.size() && args[i] != "--"; ++i) {
+    if (args[i] == "--help" || args[i] == "-h") return std::cout << help, Command::Done;
+    if (args[i] == "--version")
+      return std::cout << "tlgen " TLGEN_VERSION " (built with LLVM and Clang " TLGEN_CLANG_VERSION ")\n", Command::Done;
+    if (args[i] == "--explain") return explain(i + 1 < args.size() ? args[i + 1] : "");
   }
-  return complete(o) ? Command::Generate : Command::Fail;
+  Options o;
+  if (!parseArguments(args, o, &run)) return Command::Fail;
+  if (!run.modelsFile.empty()) return readModels(o, run) ? Command::Generate : Command::Fail;
+  if (!complete(o)) return Command::Fail;
+  run.models.push_back(o);
+  return Command::Generate;
 }
 
 } // namespace tlgen

@@ -18,6 +18,7 @@ struct ArgOption {
   int index; // place in a list of names
 };
 
+// One model.
 struct Options {
   std::vector<std::string> sources;
   std::string model, dof, output, compileCommands;
@@ -26,13 +27,26 @@ struct Options {
   std::vector<FunctionOption> recursion; // rows: the depth
   std::map<std::string, ArgOption> args; // by parameter name
   std::vector<std::string> compilerArgs; // after --
-  bool depfile = false;
+  bool depfile = false, selftest = false;
+
+  // The file beside the output with another ending: header() is FILE.h for FILE.c.
+  std::string header() const { return output.substr(0, output.size() - 2) + ".h"; }
+  std::string depFile() const { return output + ".d"; }
+};
+
+// One run of the tool.
+struct Run {
+  std::vector<Options> models;
+  std::string modelsFile; // --models: where the models were read from
+  std::string sarif;
+  bool werror = false;
 };
 
 enum class Command { Generate, Done, Fail };
 
-// Reads the command line. Done: --help, --version or --explain was answered on stdout. Fail: a message went to stderr.
-Command parseOptions(int argc, const char *const *argv, Options &options);
+// Reads the command line, and the file of models that it names. Done: --help, --version or --explain was answered on stdout. Fail: a
+// message went to stderr.
+Command parseOptions(int argc, const char *const *argv, Run &run);
 
 } // namespace tlgen
 

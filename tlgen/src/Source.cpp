@@ -1,13 +1,19 @@
 // The parsed sources as one body of code.
 #include "Source.h"
+#include "Paths.h"
 
 #include "clang/AST/ASTContext.h"
 #include "clang/Basic/SourceManager.h"
 
 namespace tlgen {
 
-Source::Source(const std::vector<std::unique_ptr<clang::ASTUnit>> &units, Diagnostics &diags) : diags_(diags) {
-  for (const auto &unit : units)
+std::string pathOf(const clang::SourceManager &sm, const clang::PresumedLoc &loc) {
+  const clang::FileEntry *entry = loc.getFileID().isValid() ? sm.getFileEntryForID(loc.getFileID()) : nullptr;
+  return fromHere(loc.getFilename(), entry ? entry->tryGetRealPathName().str() : "");
+}
+
+Source::Source(const std::vector<clang::ASTUnit *> &units, Diagnostics &diags) : diags_(diags) {
+  for (const clang::ASTUnit *unit : units)
     for (const clang::Decl *decl : unit->getASTContext().getTranslationUnitDecl()->decls()) {
       const auto *function = llvm::dyn_cast<clang::FunctionDecl>(decl);
       if (!function || !function->isThisDeclarationADefinition()) continue;
@@ -31,7 +37,7 @@ void Source::report(const char *id, const clang::ASTContext &context, clang::Sou
   const clang::SourceManager &sm = context.getSourceManager();
   clang::PresumedLoc loc = sm.getPresumedLoc(sm.getExpansionLoc(at));
   if (loc.isValid())
-    diags_.add(id, loc.getFilename(), loc.getLine(), loc.getColumn(), what);
+    diags_.add(id, pathOf(sm, loc), loc.getLine(), loc.getColumn(), what);
   else
     diags_.add(id, "", 0, 0, what);
 }

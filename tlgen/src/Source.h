@@ -8,15 +8,17 @@
 #include "clang/Frontend/ASTUnit.h"
 
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
 namespace tlgen {
 
+// The file of a place, as messages name it: one that a #line names stays as it is.
+std::string pathOf(const clang::SourceManager &sm, const clang::PresumedLoc &loc);
+
 class Source {
 public:
-  Source(const std::vector<std::unique_ptr<clang::ASTUnit>> &units, Diagnostics &diags);
+  Source(const std::vector<clang::ASTUnit *> &units, Diagnostics &diags);
 
   // All functions with a body, in the order of the files.
   const std::vector<const clang::FunctionDecl *> &definitions() const { return definitions_; }

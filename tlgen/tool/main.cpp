@@ -2,10 +2,10 @@
 #include "Generate.h"
 
 int main(int argc, char **argv) {
-  tlgen::Options options;
-  switch (tlgen::parseOptions(argc, argv, options)) {
+  tlgen::Run run;
+  switch (tlgen::parseOptions(argc, argv, run)) {
   case tlgen::Command::Generate:
-    return tlgen::generate(options);
+    return tlgen::generate(run);
   case tlgen::Command::Done:
     return 0;
   case tlgen::Command::Fail:
