@@ -7,9 +7,9 @@
 #define TWO(name) {#name, NULL, tl_##name}
 
 const jet_function jet_functions[] = {
-    ONE(sqrt),  ONE(cbrt),  ONE(exp),   ONE(expm1), ONE(exp2), ONE(log),  ONE(log1p), ONE(log2),  ONE(log10),
-    ONE(sin),   ONE(cos),   ONE(tan),   ONE(asin),  ONE(acos), ONE(atan), ONE(sinh),  ONE(cosh),  ONE(tanh),
-    ONE(asinh), ONE(acosh), ONE(atanh), ONE(erf),   TWO(mul),  TWO(div),  TWO(pow),   TWO(hypot), TWO(atan2),
+    ONE(sqrt),  ONE(cbrt), ONE(exp),  ONE(expm1),  ONE(exp2),   ONE(log),  ONE(log1p), ONE(log2), ONE(log10), ONE(sin),
+    ONE(cos),   ONE(tan),  ONE(asin), ONE(acos),   ONE(atan),   ONE(sinh), ONE(cosh),  ONE(tanh), ONE(asinh), ONE(acosh),
+    ONE(atanh), ONE(erf),  ONE(erfc), ONE(tgamma), ONE(lgamma), TWO(mul),  TWO(div),   TWO(pow),  TWO(hypot), TWO(atan2),
 };
 const int njet_functions = (int)(sizeof jet_functions / sizeof *jet_functions);
 

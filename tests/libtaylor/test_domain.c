@@ -29,6 +29,8 @@ typedef struct boundary {
 OPERATION(sqrt) OPERATION(cbrt) OPERATION(exp) OPERATION(expm1) OPERATION(exp2) OPERATION(log) OPERATION(log1p) OPERATION(log2)
 OPERATION(log10) OPERATION(sin) OPERATION(cos) OPERATION(tan) OPERATION(asin) OPERATION(acos) OPERATION(atan) OPERATION(sinh)
 OPERATION(cosh) OPERATION(tanh) OPERATION(asinh) OPERATION(acosh) OPERATION(atanh) OPERATION(erf) OPERATION(fabs)
+OPERATION(erfc) OPERATION(tgamma) OPERATION(lgamma) OPERATION(floor) OPERATION(ceil) OPERATION(trunc) OPERATION(round) OPERATION(rint)
+OPERATION(float)
     /* clang-format on */
 
     static void on_powc(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
@@ -36,6 +38,9 @@ OPERATION(cosh) OPERATION(tanh) OPERATION(asinh) OPERATION(acosh) OPERATION(atan
 }
 static void on_powi(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
   tl_powi(cx, c, a, (int)fmax(-99.0, fmin(99.0, b[0])));
+}
+static void on_scalbn(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
+  tl_scalbn(cx, c, a, (int)fmax(-9999.0, fmin(9999.0, b[0])));
 }
 static void on_rpow(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) { tl_rpow(cx, c, a[0], b); }
 static void on_fma(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) { tl_fma(cx, c, a, b, a); }
@@ -50,6 +55,7 @@ enum { OK = TL_OK, D = TL_DOMAIN, S = TL_SINGULAR, N = TL_NONFINITE };
 
 #define AT(name, x, value, jet) {on_##name, TL_FN_##name, x, 0.0, value, jet}
 #define AT2(name, x, y, value, jet) {tl_##name, TL_FN_##name, x, y, value, jet}
+#define AT_N(name, x, y, value, jet) {on_##name, TL_FN_##name, x, y, value, jet}
 #define POWER(name, x, y, value, jet) {on_##name, TL_FN_pow, x, y, value, jet}
 
 static const boundary BOUNDARIES[] = {
@@ -120,6 +126,77 @@ static const boundary BOUNDARIES[] = {
     AT(tanh, -DBL_MAX, OK, OK),
     AT(erf, DBL_MAX, OK, OK),
     AT(erf, -DBL_MAX, OK, OK),
+    AT(erfc, DBL_MAX, OK, OK),
+    AT(erfc, -DBL_MAX, OK, OK),
+    AT(tgamma, 0.0, D, D),
+    AT(tgamma, -0.0, D, D),
+    AT(tgamma, DENORMAL, N, N),
+    AT(tgamma, 1e-153, OK, OK),
+    AT(tgamma, 1e-160, OK, N),
+    AT(tgamma, -1.0, D, D),
+    AT(tgamma, -ABOVE_ONE, OK, OK),
+    AT(tgamma, -BELOW_ONE, OK, OK),
+    AT(tgamma, -DBL_MAX, D, D),
+    AT(tgamma, -1000.5, OK, OK),
+    AT(tgamma, -184.0, D, D),
+    AT(tgamma, 171.0, OK, OK),
+    AT(tgamma, 172.0, N, N),
+    AT(lgamma, 0.0, D, D),
+    AT(lgamma, -0.0, D, D),
+    AT(lgamma, DENORMAL, OK, N),
+    AT(lgamma, -DENORMAL, OK, N),
+    AT(lgamma, 1e-307, OK, OK),
+    AT(lgamma, -1.0, D, D),
+    AT(lgamma, -ABOVE_ONE, OK, OK),
+    AT(lgamma, -BELOW_ONE, OK, OK),
+    AT(lgamma, -0x1p52, D, D),
+    AT(lgamma, -0x1p52 + 0.5, OK, OK),
+    AT(lgamma, 1.0, OK, OK),
+    AT(lgamma, 2.0, OK, OK),
+    AT(lgamma, 2.5e305, OK, OK),
+    AT(lgamma, DBL_MAX, N, N),
+    AT(floor, 3.0, OK, S),
+    AT(floor, -0.0, OK, S),
+    AT(floor, DENORMAL, OK, OK),
+    AT(floor, -DENORMAL, OK, OK),
+    AT(ceil, 3.0, OK, S),
+    AT(ceil, 0.0, OK, S),
+    AT(trunc, 0.0, OK, OK),
+    AT(trunc, 1.0, OK, S),
+    AT(trunc, -BELOW_ONE, OK, OK),
+    AT(round, 0.5, OK, S),
+    AT(round, 0.5 - 0x1p-54, OK, OK),
+    AT(round, 1.0, OK, OK),
+    AT(rint, -2.5, OK, S),
+    AT(rint, 0.0, OK, OK),
+    AT(float, (double)FLT_MAX, OK, OK),
+    AT(float, DBL_MAX, N, N),
+    AT(float, DENORMAL, OK, OK),
+    AT_N(scalbn, DBL_MAX, 0.0, OK, OK),
+    AT_N(scalbn, 1.0, 1023.0, OK, OK),
+    AT_N(scalbn, 1.0, 1024.0, N, N),
+    AT_N(scalbn, DENORMAL, 1025.0, OK, N),
+    AT_N(scalbn, 1.0, -9999.0, OK, OK),
+    AT2(fmod, 5.0, 0.0, D, D),
+    AT2(fmod, 0.0, -0.0, D, D),
+    AT2(fmod, 0.0, 5.0, OK, OK),
+    AT2(fmod, 6.0, 3.0, OK, S),
+    AT2(fmod, -6.0, 3.0, OK, S),
+    AT2(fmod, 3.0, DENORMAL, OK, S),
+    AT2(fmod, DENORMAL, DBL_MAX, OK, OK),
+    AT2(remainder, 5.0, 0.0, D, D),
+    AT2(remainder, 6.0, 3.0, OK, OK),
+    AT2(remainder, 4.5, 3.0, OK, S),
+    AT2(remainder, -1.5, 3.0, OK, S),
+    AT2(remainder, DENORMAL, 2 * DENORMAL, OK, S),
+    AT2(remainder, DBL_MAX, 0.7 * DBL_MAX, OK, OK),
+    AT2(remainder, DBL_MAX, DBL_MAX, OK, OK),
+    AT2(fdim, 1.0, 1.0, OK, S),
+    AT2(fdim, ABOVE_ONE, 1.0, OK, OK),
+    AT2(fdim, BELOW_ONE, 1.0, OK, OK),
+    AT2(fdim, 0.0, -0.0, OK, S),
+    AT2(fdim, DBL_MAX, -DBL_MAX, N, N),
+    AT2(fdim, -DBL_MAX, DBL_MAX, OK, OK),
     AT(acosh, 1.0, OK, S),
     AT(acosh, ABOVE_ONE, OK, OK),
     AT(acosh, BELOW_ONE, D, D),
@@ -235,9 +312,11 @@ static void the_ends_of_each_domain_are_exact(void **state) {
 }
 
 static operation *const OPERATIONS[] = {
-    on_sqrt, on_cbrt, on_exp,  on_expm1, on_exp2,     on_log,   on_log1p,  on_log2,  on_log10, on_sin,  on_cos, on_tan,   on_asin,
-    on_acos, on_atan, on_sinh, on_cosh,  on_tanh,     on_asinh, on_acosh,  on_atanh, on_erf,   on_fabs, tl_pow, tl_hypot, tl_atan2,
-    tl_div,  tl_mul,  tl_fmin, tl_fmax,  tl_copysign, on_fma,   on_sincos, on_powc,  on_powi,  on_rpow, tl_add, tl_sub,
+    on_sqrt,  on_cbrt, on_exp,   on_expm1,  on_exp2, on_log,       on_log1p,  on_log2,   on_log10,    on_sin,   on_cos,
+    on_tan,   on_asin, on_acos,  on_atan,   on_sinh, on_cosh,      on_tanh,   on_asinh,  on_acosh,    on_atanh, on_erf,
+    on_fabs,  tl_pow,  tl_hypot, tl_atan2,  tl_div,  tl_mul,       tl_fmin,   tl_fmax,   tl_copysign, on_fma,   on_sincos,
+    on_powc,  on_powi, on_rpow,  tl_add,    tl_sub,  on_erfc,      on_tgamma, on_lgamma, on_floor,    on_ceil,  on_trunc,
+    on_round, on_rint, on_float, on_scalbn, tl_fmod, tl_remainder, tl_fdim,
 };
 enum { NOPERATION = sizeof OPERATIONS / sizeof *OPERATIONS };
 
@@ -253,7 +332,7 @@ static void operands_that_are_not_finite_are_reported(void **state) {
     for (int k = 0; k < 3; k++) {
       a[0] = b[0] = wild[k];
       a[1] = b[1] = 1.0;
-      if (OPERATIONS[i] == on_powi) b[0] = 2.0; /* its exponent is an int */
+      if (OPERATIONS[i] == on_powi || OPERATIONS[i] == on_scalbn) b[0] = 2.0; /* their exponent is an int */
       tl_ctx_clear(cx);
       OPERATIONS[i](cx, c, a, b);
       if (!(cx->status.bits & TL_NONFINITE)) fail_msg("operation %d at %g: status %u", i, wild[k], cx->status.bits);

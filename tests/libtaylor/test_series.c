@@ -214,40 +214,6 @@ static void composition_with_a_polynomial_is_exact(void **state) {
   for_each_shape(check_composition);
 }
 
-static unsigned reciprocal_rule(tl_real *f, tl_real x, int degree, const void *user) {
-  if (x == 0.0) return TL_DOMAIN;
-  f[0] = *(const tl_real *)user / x;
-  for (int k = 1; k <= degree; k++) f[k] = -f[k - 1] / x;
-  return TL_OK;
-}
-
-static void check_rule(tl_ctx *cx, tl_real *jet[NJET], rng *r) {
-  (void)r;
-  const tl_real numerator = 3.0;
-  tl_real *a = jet[0], *c = jet[1], *expected = jet[2];
-  a[0] = 1.0;
-  tl_rdiv(cx, expected, numerator, a);
-  tl_apply(cx, c, a, reciprocal_rule, &numerator);
-  assert_all_same(c, expected, cx->shape->ncoef);
-}
-static void a_rule_of_the_user_composes(void **state) {
-  (void)state;
-  for_each_shape(check_rule);
-}
-
-static void a_rule_reports_its_own_failure(void **state) {
-  (void)state;
-  jet_space space;
-  jet_space_init(&space, tl_jacobian(1), 1);
-  tl_real *a = tl_push(&space.cx, 1);
-  const tl_real numerator = 1.0;
-  tl_seed(&space.cx, a, 0.0, 0);
-  tl_apply(&space.cx, a, a, reciprocal_rule, &numerator);
-  assert_int_equal(space.cx.status.bits, TL_DOMAIN);
-  assert_int_equal(space.cx.status.function, TL_FN_compose);
-  jet_space_free(&space);
-}
-
 /* x^4 y^2 at (2,3) along s, by hand: coefficient and derivative. */
 static void coefficients_and_derivatives_are_found_by_multi_index(void **state) {
   (void)state;
@@ -381,8 +347,6 @@ int main(void) {
       cmocka_unit_test(euler_four_squares_are_exact_in_eight_variables),
       cmocka_unit_test(fateman_power_is_exact),
       cmocka_unit_test(composition_with_a_polynomial_is_exact),
-      cmocka_unit_test(a_rule_of_the_user_composes),
-      cmocka_unit_test(a_rule_reports_its_own_failure),
       cmocka_unit_test(coefficients_and_derivatives_are_found_by_multi_index),
       cmocka_unit_test(aliased_operands_give_the_same_bits),
       cmocka_unit_test(fma_rounds_its_value_once),

@@ -19,12 +19,29 @@ static double to_pole(double x, double y) { return (void)y, fabs(cos(x)); }
 static double to_origin(double x, double y) { return fmax(fabs(x), fabs(y)); }
 /* For atan2(x, y), whose cut x = 0, y < 0 the differences must not cross. */
 static double to_cut(double x, double y) { return y < 0.0 && fabs(x) < 0x1p-90 * fabs(y) ? 0.0 : to_origin(x, y); }
+/* To the nearest of 0, -1, -2, .. */
+static double to_gamma_pole(double x, double y) { return (void)y, x >= 0.0 ? x : fmin(fabs(x - round(x)), fabs(x)); }
+static double gamma_width(double x, double y) { return fmin(to_gamma_pole(x, y), 1.0 / (1.0 + log(1.0 + fabs(x)))); }
+/* To the nearest multiple of y at which fmod jumps, and to the nearest halfway point at which remainder does. */
+static double to_multiple(double x, double y) {
+  const double r = fmod(fabs(x), fabs(y)), above = fabs(y) - r;
+  return fabs(x) < fabs(y) ? above : fmin(r, above);
+}
+static double to_halfway(double x, double y) { return 0.5 * fabs(y) - fabs(remainder(x, y)); }
+static double y_to_multiple(double x, double y) { return to_multiple(x, y) / (1.0 + fabs(x / y)); }
+static double y_to_halfway(double x, double y) { return to_halfway(x, y) / (1.0 + fabs(x / y)); }
 static double gauss_width(double x, double y) { return (void)y, 1.0 / fmax(1.0, fabs(x)); }
 static double exponent_width(double x, double y) { return (void)y, 1.0 / (1.0 + fabs(log(x))); }
 
 /* Bits between the value and the much smaller derivatives. */
 static double tanh_bits(double x, double y) { return (void)y, 3.0 * fabs(x); }
 static double erf_bits(double x, double y) { return (void)y, 1.5 * x * x; }
+
+/* log|gamma|, whatever the sign of gamma. */
+static int log_gamma(mpfr_t f, const mpfr_t x, mpfr_rnd_t rounding) {
+  int sign;
+  return mpfr_lgamma(f, &sign, x, rounding);
+}
 
 #define END ((double)NAN)
 #define EITHER(lo, hi) {0.0, 0, lo, hi}
@@ -138,6 +155,36 @@ const ref_function ref_functions[] = {
      .digits = erf_bits,
      .x = {EITHER(-1000, 4.7), EITHER(-3, 3)},
      .hard = {0, 1e-300, 6, 26, END}},
+    {.name = "erfc",
+     .one = mpfr_erfc,
+     .reach = gauss_width,
+     .digits = erf_bits,
+     .x = {EITHER(-1000, 4.7), EITHER(-3, 3)},
+     .hard = {0, 1e-300, 6, 26, END}},
+    {.name = "tgamma",
+     .one = mpfr_gamma,
+     .reach = gamma_width,
+     .x = {ABOVE(0, -200, 7.4), EITHER(-3, 5), AROUND(-3, -40, -1), AROUND(1.4616321449683622, -40, -2)},
+     .hard = {1, 2, 0.5, 170.5, -170.5, -177.3, -183.99999999999, -190.0000000001, -1.5, 1e-60, -1e-60, END}},
+    {.name = "lgamma",
+     .one = log_gamma,
+     .reach = to_gamma_pole,
+     .x = {ABOVE(0, -200, 100), EITHER(-3, 10), AROUND(-3, -40, -1), AROUND(1.4616321449683622, -40, -2)},
+     .hard = {1, 2, 0.5, 16, 17, 1e300, -1000.5, -1e6 - 0.1, -1e-60, -0.5, -2.4570247382208006, END}},
+    {.name = "fmod",
+     .two = mpfr_fmod,
+     .reach = to_multiple,
+     .reach_y = y_to_multiple,
+     .x = {EITHER(-30, 30), EITHER(-2, 4)},
+     .y = {EITHER(-15, 15), EITHER(-2, 2)},
+     .hard = {0, 1, END}},
+    {.name = "remainder",
+     .two = mpfr_remainder,
+     .reach = to_halfway,
+     .reach_y = y_to_halfway,
+     .x = {EITHER(-30, 30), EITHER(-2, 4)},
+     .y = {EITHER(-15, 15), EITHER(-2, 2)},
+     .hard = {0, 1, END}},
     {.name = "mul",
      .two = mpfr_mul,
      .reach = everywhere,

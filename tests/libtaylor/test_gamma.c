@@ -1,0 +1,137 @@
+/* The gamma functions in high degrees, where their coefficients at 1/2, 1 and 2 are values of Riemann's zeta function. */
+#include "close.h"
+#include "functions.h"
+
+#include <math.h>
+#include <mpfr.h>
+
+enum { DEGREE = TL_MAX_CURVE + TL_MAX_ORDER, PRECISION = 400 };
+
+/* Rounded once from twice the precision. */
+static const double LOG_ULPS = 0.6;
+/* Coefficient k of Gamma, in ulp: a rounding each of the value, the ratio and their product, and the C library's Gamma. */
+static const double GAMMA_ULPS = 3.0;
+/* Degrees above TL_MAX_CURVE are read off mixed coefficients, sums of binomials that are rounded once in each step of Horner's scheme.
+ */
+static const double MIXED_ULPS = 0.5 * DEGREE;
+
+/* f[k], k >= 2, of log Gamma(x+h) = (-1)^k zeta(k,x)/k: zeta(k,1) = zeta(k), zeta(k,2) = zeta(k) - 1, zeta(k,1/2) = (2^k - 1) zeta(k);
+ * f[1] = psi(x) = -euler, 1 - euler, -euler - 2 log 2. */
+static void exact_log_series(mpfr_t *f, double x) {
+  mpfr_t log2;
+  mpfr_init2(log2, PRECISION);
+  mpfr_const_log2(log2, MPFR_RNDN);
+  mpfr_const_euler(f[1], MPFR_RNDN);
+  mpfr_neg(f[1], f[1], MPFR_RNDN);
+  if (x == 2.0) mpfr_add_ui(f[1], f[1], 1, MPFR_RNDN);
+  if (x == 0.5) mpfr_mul_2ui(log2, log2, 1, MPFR_RNDN), mpfr_sub(f[1], f[1], log2, MPFR_RNDN);
+  for (int k = 2; k <= DEGREE; k++) {
+    mpfr_zeta_ui(f[k], (unsigned long)k, MPFR_RNDN);
+    if (x == 2.0) mpfr_sub_ui(f[k], f[k], 1, MPFR_RNDN);
+    if (x == 0.5)
+      mpfr_set(log2, f[k], MPFR_RNDN), mpfr_mul_2ui(f[k], f[k], (unsigned long)k, MPFR_RNDN), mpfr_sub(f[k], f[k], log2, MPFR_RNDN);
+    mpfr_div_si(f[k], f[k], k % 2 ? -k : k, MPFR_RNDN);
+  }
+  mpfr_clear(log2);
+}
+
+/* Multiplies f, the coefficients of log Gamma, out to those of Gamma: the sum of powers of the series over factorials. */
+static void exponentiate(mpfr_t *f, double x) {
+  mpfr_t g[DEGREE + 1], power[DEGREE + 1], sum;
+  mpfr_init2(sum, PRECISION);
+  for (int k = 0; k <= DEGREE; k++) {
+    mpfr_init2(g[k], PRECISION);
+    mpfr_init2(power[k], PRECISION);
+    mpfr_set_ui(g[k], k == 0, MPFR_RNDN);
+    mpfr_set_ui(power[k], k == 0, MPFR_RNDN);
+  }
+  for (int n = 1; n <= DEGREE; n++) {
+    for (int k = DEGREE; k >= 0; k--) { /* power *= f / n; its coefficients below n - 1 are zero */
+      mpfr_set_zero(sum, 1);
+      for (int j = 1; j <= k; j++) mpfr_fma(sum, f[j], power[k - j], sum, MPFR_RNDN);
+      mpfr_div_si(power[k], sum, n, MPFR_RNDN);
+    }
+    for (int k = 0; k <= DEGREE; k++) mpfr_add(g[k], g[k], power[k], MPFR_RNDN);
+  }
+  mpfr_set_d(sum, x, MPFR_RNDN);
+  mpfr_gamma(sum, sum, MPFR_RNDN);
+  for (int k = 0; k <= DEGREE; k++) {
+    mpfr_mul(f[k], g[k], sum, MPFR_RNDN);
+    mpfr_clear(g[k]);
+    mpfr_clear(power[k]);
+  }
+  mpfr_clear(sum);
+}
+
+static void assert_coefficients(const double *c, mpfr_t *exact, double x, double ulps, const char *name) {
+  for (int k = 1; k <= DEGREE; k++) {
+    const double expected = mpfr_get_d(exact[k], MPFR_RNDN);
+    const double allowed = ulps + (k > TL_MAX_CURVE ? MIXED_ULPS : 0.0);
+    assert_close_case(c[k], expected, allowed * ulp_of(expected), __FILE__, __LINE__, "%s at %g, coefficient %d", name, x, k);
+  }
+}
+
+/* The largest degree that a shape can have: along the curve to 64, and in one variable to 16. */
+static void coefficients_of_every_degree_are_zeta_values(void **state) {
+  (void)state;
+  const double points[] = {0.5, 1.0, 2.0};
+  jet_space space;
+  jet_space_init(&space, (tl_spec){.curve = TL_MAX_CURVE, .nvar = 1, .order = TL_MAX_ORDER}, 2);
+  tl_ctx *cx = &space.cx;
+  tl_real *a = tl_push(cx, 1), *c = tl_push(cx, 1);
+  mpfr_t exact[DEGREE + 1];
+  for (int k = 0; k <= DEGREE; k++) mpfr_init2(exact[k], PRECISION);
+  for (int i = 0; i < 3; i++) {
+    const double x = points[i];
+    double coefficients[DEGREE + 1] = {0.0};
+    tl_const(cx, a, x);
+    a[tl_index1(&space.shape, 0, 0)] = 1.0;
+    a[tl_index(&space.shape, 1, NULL)] = 1.0; /* x + s + t: coefficient of s^k t^m is binomial(k+m,m) f_(k+m) */
+    exact_log_series(exact, x);
+    for (int pass = 0; pass < 2; pass++) {
+      (pass == 0 ? tl_lgamma : tl_tgamma)(cx, c, a);
+      assert_int_equal(cx->status.bits, TL_OK);
+      for (int k = 0; k <= TL_MAX_CURVE; k++) coefficients[k] = c[tl_index(&space.shape, k, NULL)];
+      for (int k = 1; k <= TL_MAX_ORDER; k++) { /* s^64 t^k */
+        double binomial = 1.0;
+        for (int j = 1; j <= k; j++) binomial = binomial * (TL_MAX_CURVE + j) / j;
+        coefficients[TL_MAX_CURVE + k] = c[tl_index(&space.shape, TL_MAX_CURVE, &k)] / binomial;
+      }
+      if (pass == 1) exponentiate(exact, x);
+      assert_coefficients(coefficients, exact, x, pass == 0 ? LOG_ULPS : GAMMA_ULPS, pass == 0 ? "lgamma" : "tgamma");
+    }
+  }
+  for (int k = 0; k <= DEGREE; k++) mpfr_clear(exact[k]);
+  mpfr_free_cache();
+  jet_space_free(&space);
+}
+
+/* Gamma(x+1) = x Gamma(x), as jets, on both sides of zero. */
+static void gamma_fulfils_its_equation(void **state) {
+  (void)state;
+  const double tolerance = 1e-13; /* a product whose terms are up to a hundred times the sum */
+  const double points[] = {0.3, -0.4, 3.7, -5.6, 40.2, -40.9, 120.1, -149.5, -150.5, -160.25};
+  jet_space space;
+  jet_space_init(&space, (tl_spec){.curve = 1, .nvar = 2, .order = 2}, 4);
+  tl_ctx *cx = &space.cx;
+  tl_real *a = tl_push(cx, 1), *up = tl_push(cx, 1), *c = tl_push(cx, 1);
+  for (size_t i = 0; i < sizeof points / sizeof *points; i++) {
+    for (int k = 0; k < space.shape.ncoef; k++) a[k] = k % 3 - 1.0;
+    a[0] = points[i];
+    tl_shift(cx, up, a, 1.0);
+    tl_tgamma(cx, up, up);
+    tl_tgamma(cx, c, a);
+    tl_mul(cx, c, c, a);
+    assert_int_equal(cx->status.bits, TL_OK);
+    assert_all_close(c, up, space.shape.ncoef, tolerance, tolerance * fabs(up[0]));
+  }
+  jet_space_free(&space);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(coefficients_of_every_degree_are_zeta_values),
+      cmocka_unit_test(gamma_fulfils_its_equation),
+  };
+  return cmocka_run_group_tests(tests, NULL, NULL);
+}
