@@ -34,16 +34,16 @@ static tl_wide wide_log(tl_wide x) {
   return tl_wide_add(LOG_SHIFT, tl_wide_add(half, half));
 }
 
-/* psi(x) = log X - 1/(2X) - sum_j B_2j/(2j X^2j) - sum_{n<N} 1/(x+n), X = x+N >= SHIFT; x > 0. */
+/* psi(x) = log X - h - h^2/3 - sum_{j>1} B_2j/(2j X^2j) - sum_{n<N} 1/(x+n), X = x+N >= SHIFT, h = 1/(2X); x > 0. */
 static tl_wide digamma(tl_wide x) {
   const tl_wide minus_one = tl_widen(-TL_C(1.0));
   tl_wide sum = tl_widen(TL_C(0.0));
   for (; x.hi < SHIFT; x = add_real(x, TL_C(1.0))) sum = tl_wide_add(sum, tl_wide_div(minus_one, x));
-  const tl_wide half = tl_wide_div(tl_widen(-TL_C(0.5)), x);
-  const tl_real square = TL_C(4.0) * half.hi * half.hi;
+  const tl_wide h = tl_wide_div(tl_widen(-TL_C(0.5)), x), third = tl_wide_div(tl_wide_mul(h, h), tl_widen(-TL_C(3.0)));
+  const tl_real square = TL_C(4.0) * h.hi * h.hi;
   tl_real tail = TL_C(0.0);
-  for (int j = NBERNOULLI; j > 0; j--) tail = square * (tail - BERNOULLI[j - 1] / (tl_real)(2 * j));
-  return tl_wide_add(tl_wide_add(sum, half), add_real(wide_log(x), tail));
+  for (int j = NBERNOULLI; j > 1; j--) tail = square * (tail - BERNOULLI[j - 1] / (tl_real)(2 * j));
+  return tl_wide_add(tl_wide_add(sum, h), tl_wide_add(wide_log(x), add_real(third, square * tail)));
 }
 
 /* The tail of zeta(k,X) over X^(1-k) (Euler, Maclaurin), r = 1/X:
