@@ -22,3 +22,34 @@ add_mechanics(terrain "puck on measured ground; static tables of float and short
 add_mechanics(stick_slip "blocks on a belt with tanh friction; a list of elements, enum and switch" DOF num_blocks
   LAGRANGIAN RigEnergyDifference FORCE RigForces ARGS p=rig PARAMS "&kBrakeRig")
 add_mechanics(rotating_hoop "bead on a hoop spun up in time; header-only inline helpers, array typedefs" DOF 1 LAGRANGIAN bead_on_hoop)
+add_mechanics(quaternion_body "rigid body with a quaternion of unit length; small value types, functions that return them" DOF 4
+  LAGRANGIAN quaternion_body HOLONOMIC quaternion_norm)
+add_mechanics(snakeboard "snakeboard with PD laws along sinusoids; output of a symbolic program, t2 t3 t4" DOF 6 LAGRANGIAN snakeboard_L
+  NONHOLONOMIC snakeboard_psi:2 FORCE snakeboard_tau)
+add_mechanics(chaplygin_sleigh "Chaplygin sleigh on a tilting table; MISRA C, fixed-width types, single exits" DOF 3 LAGRANGIAN Sleigh_Lagrangian
+  NONHOLONOMIC Sleigh_Slip FORCE Sleigh_Damping PARAMS "&Sleigh_Config")
+add_mechanics(rolling_disk "disk that rolls on a plane; Autolev's Z array, numbered from 1" DOF 5 LAGRANGIAN disk_L NONHOLONOMIC disk_roll:2)
+add_mechanics(elastic_double_pendulum "double pendulum with elastic links; tiny pure functions, const structs" DOF 4
+  LAGRANGIAN elastic_double_pendulum)
+add_mechanics(furuta "Furuta pendulum with a motor; Linux kernel style, nested designated structs" DOF 2 LAGRANGIAN furuta_lagrangian
+  FORCE furuta_force PARAMS "&furuta_dev")
+add_mechanics(ball_and_beam "ball on a driven beam; Hungarian names, IN and OUT, pointers to results" DOF cCoord LAGRANGIAN BallBeamLagrangian
+  FORCE BallBeamTorque ARGS q=lpdQ qd=lpdQd t=dTime p=pBeam out=lpdForce PARAMS "&g_BallBeam")
+add_mechanics(cart_pendulums "cart with a chain of links; arrays of variable length, restrict, static n, prefix sums" DOF coordinates
+  LAGRANGIAN cart_lagrangian FORCE cart_joint_friction PARAMS "&cart")
+add_mechanics(four_bar "four-bar linkage closed by constraints; compound literals by address" DOF 3 LAGRANGIAN linkage HOLONOMIC loop_closure:2
+  FORCE motor)
+add_mechanics(foucault "Foucault pendulum in the rotating frame; terse, one comma expression" DOF 3 LAGRANGIAN L HOLONOMIC f FORCE drag
+  ARGS q=r qd=v out=F)
+add_mechanics(swinging_atwood "swinging Atwood machine with wide pulleys; GNU style, scalar arguments" DOF 2 LAGRANGIAN atwood_lagrangian
+  ARGS q=r,theta qd=rdot,thetadot)
+add_mechanics(half_car "half-car suspension; table of elements with kinds, switch with fall-through" DOF 4 LAGRANGIAN half_car_lagrangian
+  FORCE half_car_dampers PARAMS "&car")
+add_mechanics(tethered_drone "drone on a cable of three segments; vector macros, pointer walk in do while" DOF 9 LAGRANGIAN drone_lagrangian
+  FORCE drone_thrust)
+add_mechanics(maglev "magnetic levitation with its circuit; BSD style, two translation units" DOF 2 LAGRANGIAN maglev_lagrangian
+  FORCE maglev_force ARGS q=x,z qd=xdot,i p=c PARAMS "&magnet" FILES maglev_coil.c)
+add_mechanics(landau_governor "governor of Landau and Lifshitz; formulas as macros" DOF 1 LAGRANGIAN governor ARGS q=theta qd=theta_dot)
+add_mechanics(goldstein_table "two masses on a string through a table, after Goldstein; Numerical Recipes style, everything from 1" DOF 4
+  LAGRANGIAN table)
+add_mechanics(landau_rods "two hinged rods of Landau and Lifshitz; objects that answer for their energies" DOF 1 LAGRANGIAN rods)
