@@ -48,4 +48,14 @@ static inline tl_wide tl_wide_div(tl_wide a, tl_wide b) {
   return tl_wide_quick_sum(q, rest / b.hi);
 }
 
+/* The root of a positive number: s, and the rest a - s^2 divided by 2 s. */
+static inline tl_wide tl_wide_sqrt(tl_wide a) {
+  const tl_real s = TL_LIBM(sqrt)(a.hi);
+  return tl_wide_quick_sum(s, (TL_LIBM(fma)(-s, s, a.hi) + a.lo) / (TL_C(2.0) * s));
+}
+
+/* Up to this degree of the shape some functions of one variable compute their Taylor coefficients in twice the precision and compose
+ * them with the jet; that takes no more products of jets than their recurrence, which serves every higher degree. */
+enum { TL_WIDE_DEGREE = 4 };
+
 #endif
