@@ -22,8 +22,9 @@ static const double OTHER_BOUND = 2.5;
 /* Outside these sizes a coefficient, or a term of it, can be beyond the range of numbers or lose digits to it. */
 static const double LARGEST = 1e300, SMALLEST = 1e-290, SMALLEST_RATIO = 0x1p-1000;
 
+/* Degree 5 too: above 4 some functions go another way. */
 static const tl_spec SPECS[] = {
-    {0, 1, 0}, {0, 1, 1}, {0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {4, 0, 0}, {0, 3, 2}, {0, 3, 3}, {1, 3, 2}, {2, 1, 1},
+    {0, 1, 0}, {0, 1, 1}, {0, 1, 2}, {0, 1, 3}, {0, 1, 4}, {4, 0, 0}, {0, 3, 2}, {0, 3, 3}, {1, 3, 2}, {2, 1, 1}, {5, 0, 0}, {1, 2, 4},
 };
 enum { NSPEC = sizeof SPECS / sizeof *SPECS };
 
