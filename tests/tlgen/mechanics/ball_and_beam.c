@@ -1,63 +1,60 @@
-/* BALLBEAM.C - ball on a motor-driven beam with offset groove. Hungarian notation, as the control lab's Windows program has it. */
+/* Ball on a motor-driven beam. Inheritance in C: the base is the first member, methods take self. */
 #include <math.h>
 
-typedef double DOUBLE;
-typedef int INT;
-#define CONST const
-#define VOID void
-#define IN
-#define OUT
+typedef struct Body {
+  double mass, inertia;
+} Body;
 
-enum { IDX_POSITION, IDX_ANGLE, CCOORD };
+typedef struct Ball {
+  Body base;
+  double rolling_radius, rise; /* of its centre over the beam's axis */
+} Ball;
 
-typedef struct _BALLBEAM {
-    INT    cCoord;
-    DOUBLE dMassBall;
-    DOUBLE dInertiaBall;
-    DOUBLE dInertiaBeam;
-    DOUBLE dRollRadius;
-    DOUBLE dGrooveHeight;
-    DOUBLE dGravity;
-    DOUBLE rgdGain[4];
-} BALLBEAM, *PBALLBEAM;
-typedef CONST BALLBEAM *PCBALLBEAM;
+typedef struct Beam {
+  Body base;
+  Ball ball;
+  double gain[4];
+} Beam;
 
-static CONST BALLBEAM g_BallBeam = { CCOORD, 0.11, 1.76e-5, 0.03, 0.013, 0.02, 9.81, { 8.0, 5.0, 25.0, 4.0 } };
-
-static VOID GetBallVelocity(IN CONST DOUBLE *lpdQ, IN CONST DOUBLE *lpdQd, IN PCBALLBEAM pBeam, OUT DOUBLE *pdVx, OUT DOUBLE *pdVy)
-{
-    DOUBLE dSin = sin(lpdQ[IDX_ANGLE]), dCos = cos(lpdQ[IDX_ANGLE]);
-    DOUBLE dAlong = lpdQd[IDX_POSITION] - pBeam->dGrooveHeight * lpdQd[IDX_ANGLE];
-    DOUBLE dAcross = lpdQ[IDX_POSITION] * lpdQd[IDX_ANGLE];
-
-    *pdVx = dAlong * dCos - dAcross * dSin;
-    *pdVy = dAlong * dSin + dAcross * dCos;
+static double Body_kinetic(const Body *self, double speed2, double spin) {
+  return 0.5 * (self->mass * speed2 + self->inertia * spin * spin);
 }
 
-DOUBLE BallBeamLagrangian(IN CONST DOUBLE *lpdQ, IN CONST DOUBLE *lpdQd, IN PCBALLBEAM pBeam)
-{
-    DOUBLE dVx, dVy, dSpin, dKinetic, dHeight;
+static double Body_weight(const Body *self) { return 9.81 * self->mass; }
 
-    GetBallVelocity(lpdQ, lpdQd, pBeam, &dVx, &dVy);
-    dSpin = lpdQd[IDX_ANGLE] - lpdQd[IDX_POSITION] / pBeam->dRollRadius;
-    dKinetic = 0.5 * pBeam->dMassBall * (dVx * dVx + dVy * dVy);
-    dKinetic += 0.5 * pBeam->dInertiaBall * dSpin * dSpin;
-    dKinetic += 0.5 * pBeam->dInertiaBeam * lpdQd[IDX_ANGLE] * lpdQd[IDX_ANGLE];
-    dHeight = lpdQ[IDX_POSITION] * sin(lpdQ[IDX_ANGLE]) + pBeam->dGrooveHeight * cos(lpdQ[IDX_ANGLE]);
-    return dKinetic - pBeam->dMassBall * pBeam->dGravity * dHeight;
+static const Beam bench = {
+  .base = {.inertia = 0.03},
+  .ball = {.base = {0.11, 1.76e-5}, .rolling_radius = 0.013, .rise = 0.02},
+  .gain = {8.0, 5.0, 25.0, 4.0},
+};
+
+static double Ball_speed2(const Ball *self, double along, double rate, double turn) {
+  double forward = rate - self->rise * turn, across = along * turn;
+  return forward * forward + across * across;
 }
 
-VOID BallBeamTorque(IN CONST DOUBLE *lpdQ, IN CONST DOUBLE *lpdQd, IN DOUBLE dTime, IN PCBALLBEAM pBeam, OUT DOUBLE *lpdForce)
-{
-    DOUBLE rgdError[4], dCommand = 0.0;
-    INT iTerm;
+static double Ball_height(const Ball *self, double along, double angle) { return along * sin(angle) + self->rise * cos(angle); }
 
-    rgdError[0] = lpdQ[IDX_POSITION] - 0.1 * cos(dTime);
-    rgdError[1] = lpdQd[IDX_POSITION];
-    rgdError[2] = lpdQ[IDX_ANGLE];
-    rgdError[3] = lpdQd[IDX_ANGLE];
-    for (iTerm = 0; iTerm < (INT)(sizeof(rgdError) / sizeof(rgdError[0])); iTerm++)
-        dCommand -= pBeam->rgdGain[iTerm] * rgdError[iTerm];
-    lpdForce[IDX_POSITION] = 0.0;
-    lpdForce[IDX_ANGLE] = 2.0 * tanh(dCommand / 2.0);
+static double Ball_kinetic(const Ball *self, double along, double rate, double turn) {
+  return Body_kinetic(&self->base, Ball_speed2(self, along, rate, turn), turn - rate / self->rolling_radius);
+}
+
+double Beam_lagrangian(const double *q, const double *qd) {
+  const Beam *self = &bench;
+  const Ball *ball = &self->ball;
+  double energy = Body_kinetic(&self->base, 0.0, qd[1]);
+
+  energy += Ball_kinetic(ball, q[0], qd[0], qd[1]);
+  return energy - Body_weight(&ball->base) * Ball_height(ball, q[0], q[1]);
+}
+
+void Beam_torque(const double *q, const double *qd, double t, double *out) {
+  const Beam *self = &bench;
+  const double error[4] = {q[0] - 0.1 * cos(t), qd[0], q[1], qd[1]};
+  double command = 0.0;
+  const double *gain, *e = error;
+
+  for (gain = self->gain; gain < self->gain + 4; gain++) command -= *gain * *e++;
+  out[0] = 0.0;
+  out[1] = 2.0 * tanh(0.5 * command);
 }

@@ -1,74 +1,69 @@
-/*
- * @file   chaplygin_sleigh.c
- * @brief  Chaplygin sleigh on a magnetised, slowly tilting table. Follows MISRA C:2012: fixed-width types, single exit, no side
- *         effects in expressions, explicit precedence.
- */
+/* Chaplygin sleigh on a slowly tilting table. Every quantity has its unit for a type, so that the compiler checks dimensions. */
 #include <math.h>
-#include <stdint.h>
 
-typedef double float64_t;
+typedef struct { double si; } metre, metre_per_second, radian, radian_per_second, second, kilogram, kilogram_metre2, joule, newton, newton_metre;
+typedef struct { metre_per_second x, y; } velocity;
 
-#define SLEIGH_IDX_X      (0U)
-#define SLEIGH_IDX_Y      (1U)
-#define SLEIGH_IDX_THETA  (2U)
-#define SLEIGH_NUM_COORD  (3U)
+#define UNIT(type, value) ((type){ .si = (value) })
 
-typedef struct
-{
-    float64_t f64Mass_kg;
-    float64_t f64Inertia_kgm2;
-    float64_t f64Offset_m;
-    float64_t f64Gravity_mps2;
-    float64_t f64TiltRate_radps;
-    float64_t af64Damping[SLEIGH_NUM_COORD];
-} Sleigh_Config_t;
+typedef struct { double linear, angular; } drag_coefficients;
 
-static const Sleigh_Config_t Sleigh_Config =
-{
-    2.0,
-    0.15,
-    0.25,
-    9.81,
-    0.02,
-    { 0.3, 0.3, 0.05 }
+typedef struct {
+    kilogram mass;
+    kilogram_metre2 inertia;
+    metre offset; /* of the centre of mass ahead of the blade */
+    radian_per_second tilting;
+    drag_coefficients damping;
+} sleigh;
+
+static const sleigh toy = {
+    .mass = { 2.0 }, .inertia = { 0.15 }, .offset = { 0.25 }, .tilting = { 0.02 }, .damping = { .linear = 0.3, .angular = 0.05 }
 };
 
-/* LDRA: function has one point of exit */
-static float64_t Sleigh_Square(const float64_t f64Value)
+static joule add(joule a, joule b) { return UNIT(joule, a.si + b.si); }
+static metre_per_second rim_speed(metre r, radian_per_second w) { return UNIT(metre_per_second, r.si * w.si); }
+static radian after(radian_per_second w, second t) { return UNIT(radian, w.si * t.si); }
+static metre projected(metre r, radian a) { return UNIT(metre, r.si * cos(a.si)); }
+
+static velocity centre_velocity(velocity blade, metre_per_second swing, radian heading)
 {
-    const float64_t f64Result = (f64Value * f64Value);
-    return f64Result;
+    velocity v = blade;
+    v.x.si -= swing.si * sin(heading.si);
+    v.y.si += swing.si * cos(heading.si);
+    return v;
 }
 
-float64_t Sleigh_Lagrangian(const float64_t *q, const float64_t *qd, float64_t t, const Sleigh_Config_t * const p)
+static joule translation(kilogram m, velocity v) { return UNIT(joule, 0.5 * m.si * (v.x.si * v.x.si + v.y.si * v.y.si)); }
+static joule rotation(kilogram_metre2 i, radian_per_second w) { return UNIT(joule, 0.5 * i.si * w.si * w.si); }
+static joule lifted(kilogram m, metre uphill, radian slope) { return UNIT(joule, -m.si * 9.81 * sin(slope.si) * uphill.si); }
+
+double sleigh_lagrangian(const double *q, const double *qd, double t, const sleigh *s)
 {
-    float64_t f64Kinetic;
-    float64_t f64Potential;
-    const float64_t f64Sin = sin(q[SLEIGH_IDX_THETA]);
-    const float64_t f64Cos = cos(q[SLEIGH_IDX_THETA]);
-    const float64_t f64VelX = qd[SLEIGH_IDX_X] - ((p->f64Offset_m * qd[SLEIGH_IDX_THETA]) * f64Sin);
-    const float64_t f64VelY = qd[SLEIGH_IDX_Y] + ((p->f64Offset_m * qd[SLEIGH_IDX_THETA]) * f64Cos);
+    const radian heading = { q[2] };
+    const radian_per_second turning = { qd[2] };
+    const velocity blade = { { qd[0] }, { qd[1] } };
+    const metre uphill = UNIT(metre, q[0] + projected(s->offset, heading).si);
+    joule sum;
 
-    f64Kinetic = (0.5 * p->f64Mass_kg) * (Sleigh_Square(f64VelX) + Sleigh_Square(f64VelY));
-    f64Kinetic += (0.5 * p->f64Inertia_kgm2) * Sleigh_Square(qd[SLEIGH_IDX_THETA]);
-    f64Potential = ((p->f64Mass_kg * p->f64Gravity_mps2) * sin(p->f64TiltRate_radps * t))
-                   * (q[SLEIGH_IDX_X] + (p->f64Offset_m * f64Cos));
-
-    return (f64Kinetic - f64Potential);
+    sum = add(translation(s->mass, centre_velocity(blade, rim_speed(s->offset, turning), heading)), rotation(s->inertia, turning));
+    return add(sum, lifted(s->mass, uphill, after(s->tilting, UNIT(second, t)))).si;
 }
 
-float64_t Sleigh_Slip(const float64_t *q, const float64_t *qd)
+static metre_per_second across(velocity v, radian heading)
 {
-    const float64_t f64Slip = (qd[SLEIGH_IDX_Y] * cos(q[SLEIGH_IDX_THETA])) - (qd[SLEIGH_IDX_X] * sin(q[SLEIGH_IDX_THETA]));
-    return f64Slip;
+    return UNIT(metre_per_second, v.y.si * cos(heading.si) - v.x.si * sin(heading.si));
 }
 
-void Sleigh_Damping(const float64_t *qd, const Sleigh_Config_t * const p, float64_t *out)
+double sleigh_slip(const double *q, const double *qd)
 {
-    uint8_t u8Index;
+    return across((velocity){ UNIT(metre_per_second, qd[0]), UNIT(metre_per_second, qd[1]) }, UNIT(radian, q[2])).si;
+}
 
-    for (u8Index = 0U; u8Index < (uint8_t)SLEIGH_NUM_COORD; u8Index++)
-    {
-        out[u8Index] = -(p->af64Damping[u8Index] * qd[u8Index]);
-    }
+void sleigh_damping(const double *qd, const sleigh *s, double *out)
+{
+    const newton f[2] = { { -s->damping.linear * qd[0] }, { -s->damping.linear * qd[1] } };
+    const newton_metre m = { -s->damping.angular * qd[2] };
+    out[0] = f[0].si;
+    out[1] = f[1].si;
+    out[2] = m.si;
 }

@@ -1,100 +1,67 @@
-// SPDX-License-Identifier: GPL-2.0
-/*
- * Furuta (rotary inverted) pendulum with a brushed DC motor.
- *
- * Units: SI. Angles: arm from the bench's mark, pendulum from upright.
- */
+/* Furuta pendulum with a brushed motor. Parameters, coordinates and rates come from lists of X-macros. */
 #include <math.h>
-#include <stdbool.h>
-#include <stddef.h>
 
-#define ARRAY_SIZE(arr) (sizeof(arr) / sizeof((arr)[0]))
-#define FURUTA_ARM	0
-#define FURUTA_PEND	1
+#define FURUTA_PARAMETERS(X) \
+	X(arm_mass,        0.257,           "kg") \
+	X(arm_length,      0.2159,          "m") \
+	X(arm_com,         0.0619,          "m") \
+	X(arm_inertia,     9.98e-4,         "kg m^2, about its centre of mass") \
+	X(pend_mass,       0.127,           "kg") \
+	X(pend_com,        0.1556,          "m") \
+	X(pend_inertia_x,  1.2e-3,          "kg m^2, about the hinge's direction") \
+	X(pend_inertia_y,  1.1e-3,          "kg m^2, across hinge and rod") \
+	X(pend_inertia_z,  2.0e-5,          "kg m^2, along the rod") \
+	X(resistance,      2.6,             "ohm") \
+	X(motor_constant,  0.00768 * 70.0,  "N m/A") \
+	X(arm_damping,     2.4e-3,          "N m s") \
+	X(pend_damping,    2.4e-4,          "N m s") \
+	X(gravity,         9.81,            "m/s^2")
 
-struct furuta_link {
-	double mass;
-	double length;
-	double com;
-	double inertia[3];
+#define FURUTA_COORDINATES(X) X(arm) X(pend)
+
+struct furuta {
+#define MEMBER(name, value, unit) double name;
+	FURUTA_PARAMETERS(MEMBER)
+#undef MEMBER
 };
 
-struct furuta_motor {
-	double resistance;
-	double kt;
-	bool backemf;
+static const struct furuta furuta_lab = {
+#define INITIAL(name, value, unit) .name = (value),
+	FURUTA_PARAMETERS(INITIAL)
+#undef INITIAL
 };
 
-struct furuta_device {
-	struct furuta_link link[2];
-	struct furuta_motor motor;
-	double damping[2];
-	double gravity;
+enum {
+#define INDEX(name) INDEX_##name,
+	FURUTA_COORDINATES(INDEX)
+#undef INDEX
+	N_COORDINATES
 };
 
-static const struct furuta_device furuta_dev = {
-	.link = {
-		[FURUTA_ARM]  = { .mass = 0.257, .length = 0.2159, .com = 0.0619, .inertia = { 0.0, 0.0, 9.98e-4 } },
-		[FURUTA_PEND] = { .mass = 0.127, .length = 0.3365, .com = 0.1556, .inertia = { 1.2e-3, 1.1e-3, 2.0e-5 } },
-	},
-	.motor = { .resistance = 2.6, .kt = 0.00768 * 70.0, .backemf = true },
-	.damping = { 2.4e-3, 2.4e-4 },
-	.gravity = 9.81,
-};
+#define ANGLE(name) const double name = q[INDEX_##name];
+#define RATE(name) const double name##_rate = qd[INDEX_##name];
+#define DAMPED(name) out[INDEX_##name] = -p->name##_damping * name##_rate;
+static double square(double x) { return x * x; }
 
-static inline double furuta_arm_energy(const struct furuta_link *arm, double rate)
+double furuta_lagrangian(const double *q, const double *qd, const struct furuta *p)
 {
-	double inertia = arm->inertia[2] + arm->mass * arm->com * arm->com;
+	FURUTA_COORDINATES(ANGLE)
+	FURUTA_COORDINATES(RATE)
+	const double wy = arm_rate * sin(pend), wz = arm_rate * cos(pend);
+	double twice = (p->arm_inertia + p->arm_mass * square(p->arm_com)) * square(arm_rate);
 
-	return 0.5 * inertia * rate * rate;
+	(void)arm;
+	twice += p->pend_inertia_x * square(pend_rate) + p->pend_inertia_y * square(wy) + p->pend_inertia_z * square(wz);
+	twice += p->pend_mass * (square(p->pend_com * wy) + square(p->arm_length * wz - p->pend_com * pend_rate)
+				 + square(p->arm_length * wy));
+	return 0.5 * twice - p->pend_mass * p->gravity * p->pend_com * cos(pend);
 }
 
-/* The pendulum's frame: x radial (hinge), y tangential and tilted, z along the rod. */
-static void furuta_pend_rates(double *w, double arm_rate, double angle, double rate)
+void furuta_force(const double *qd, double t, const struct furuta *p, double *out)
 {
-	w[0] = rate;
-	w[1] = arm_rate * sin(angle);
-	w[2] = arm_rate * cos(angle);
-}
+	FURUTA_COORDINATES(RATE)
+	FURUTA_COORDINATES(DAMPED)
+	double current = (1.5 * sin(4.0 * t) - p->motor_constant * arm_rate) / p->resistance;
 
-double furuta_lagrangian(const double *q, const double *qd, const struct furuta_device *p)
-{
-	const struct furuta_link *pend = &p->link[FURUTA_PEND];
-	const struct furuta_link *arm = &p->link[FURUTA_ARM];
-	double w[3], v[3], energy;
-	size_t i;
-
-	energy = furuta_arm_energy(arm, qd[FURUTA_ARM]);
-
-	furuta_pend_rates(w, qd[FURUTA_ARM], q[FURUTA_PEND], qd[FURUTA_PEND]);
-	v[0] = pend->com * w[1];
-	v[1] = arm->length * w[2] - pend->com * w[0];
-	v[2] = -arm->length * w[1];
-
-	for (i = 0; i < ARRAY_SIZE(w); i++)
-		energy += 0.5 * (pend->inertia[i] * w[i] * w[i] + pend->mass * v[i] * v[i]);
-
-	return energy - pend->mass * p->gravity * pend->com * cos(q[FURUTA_PEND]);
-}
-
-static double furuta_motor_torque(const struct furuta_motor *motor, double volts, double rate)
-{
-	if (!motor->resistance)
-		return 0.0;
-
-	if (motor->backemf)
-		volts -= motor->kt * rate;
-
-	return motor->kt * volts / motor->resistance;
-}
-
-void furuta_force(const double *qd, double t, const struct furuta_device *p, double *out)
-{
-	double volts = 1.5 * sin(4.0 * t);
-	int i;
-
-	for (i = 0; i < 2; i++)
-		out[i] = -p->damping[i] * qd[i];
-
-	out[FURUTA_ARM] += furuta_motor_torque(&p->motor, volts, qd[FURUTA_ARM]);
+	out[INDEX_arm] += p->motor_constant * current;
 }

@@ -26,15 +26,15 @@ add_mechanics(quaternion_body "rigid body with a quaternion of unit length; smal
   LAGRANGIAN quaternion_body HOLONOMIC quaternion_norm)
 add_mechanics(snakeboard "snakeboard with PD laws along sinusoids; output of a symbolic program, t2 t3 t4" DOF 6 LAGRANGIAN snakeboard_L
   NONHOLONOMIC snakeboard_psi:2 FORCE snakeboard_tau)
-add_mechanics(chaplygin_sleigh "Chaplygin sleigh on a tilting table; MISRA C, fixed-width types, single exits" DOF 3 LAGRANGIAN Sleigh_Lagrangian
-  NONHOLONOMIC Sleigh_Slip FORCE Sleigh_Damping PARAMS "&Sleigh_Config")
+add_mechanics(chaplygin_sleigh "Chaplygin sleigh on a tilting table; every quantity has its unit for a type" DOF 3 LAGRANGIAN sleigh_lagrangian
+  NONHOLONOMIC sleigh_slip FORCE sleigh_damping ARGS p=s PARAMS "&toy")
 add_mechanics(rolling_disk "disk that rolls on a plane; Autolev's Z array, numbered from 1" DOF 5 LAGRANGIAN disk_L NONHOLONOMIC disk_roll:2)
 add_mechanics(elastic_double_pendulum "double pendulum with elastic links; tiny pure functions, const structs" DOF 4
   LAGRANGIAN elastic_double_pendulum)
-add_mechanics(furuta "Furuta pendulum with a motor; Linux kernel style, nested designated structs" DOF 2 LAGRANGIAN furuta_lagrangian
-  FORCE furuta_force PARAMS "&furuta_dev")
-add_mechanics(ball_and_beam "ball on a driven beam; Hungarian names, IN and OUT, pointers to results" DOF cCoord LAGRANGIAN BallBeamLagrangian
-  FORCE BallBeamTorque ARGS q=lpdQ qd=lpdQd t=dTime p=pBeam out=lpdForce PARAMS "&g_BallBeam")
+add_mechanics(furuta "Furuta pendulum with a motor; parameters, indices and locals from lists of X-macros" DOF 2 LAGRANGIAN furuta_lagrangian
+  FORCE furuta_force PARAMS "&furuta_lab")
+add_mechanics(ball_and_beam "ball on a driven beam; inheritance by the first member, methods that take self" DOF 2 LAGRANGIAN Beam_lagrangian
+  FORCE Beam_torque)
 add_mechanics(cart_pendulums "cart with a chain of links; arrays of variable length, restrict, static n, prefix sums" DOF coordinates
   LAGRANGIAN cart_lagrangian FORCE cart_joint_friction PARAMS "&cart")
 add_mechanics(four_bar "four-bar linkage closed by constraints; compound literals by address" DOF 3 LAGRANGIAN linkage HOLONOMIC loop_closure:2
