@@ -167,8 +167,10 @@ static void print_row(const eom_system *sys, const char *kind, const errors *e) 
   double condition = 1.0;
   printf("| %s | %s | %d | %d |", sys->model->name, is_generic(kind) ? mechanics_about : kind, sys->n, sys->m);
   for (int i = 0; i < COLUMNS; i++) {
-    if (e->error[i] < 0.0) printf(" |");
-    else printf(" %.0e |", e->error[i]);
+    if (e->error[i] < 0.0)
+      printf(" |");
+    else
+      printf(" %.0e |", e->error[i]);
     condition = fmax(condition, e->condition[i]);
   }
   printf(" %.0e |\n", condition);
