@@ -1,5 +1,5 @@
-/* One model of a real mechanism: L, its derivatives up to the third, accelerations, multipliers and the linearisation beside the
- * high-precision reference. With --table it prints one line of markdown per kind of point instead of checking. */
+/* One model of a real mechanism: L, its derivatives up to the third, accelerations, multipliers, constraint functions and the
+ * linearisation beside the high-precision reference. With --table it prints one line of markdown per kind of point instead of checking. */
 #include "mechanics.h"
 #include "reference.h"
 
@@ -18,8 +18,8 @@
 static const double BLOCK_RTOL = 1e-12;
 
 /* The columns of the table. */
-enum { VALUE, GRADIENT, HESSIAN, THIRD, QDD, QDD_Y, LAMBDA, COLUMNS };
-static const char *const names[COLUMNS] = {"L", "gradient", "hessian", "third", "qdd", "qdd_y", "lambda"};
+enum { VALUE, GRADIENT, HESSIAN, THIRD, QDD, QDD_Y, LAMBDA, ROWS, COLUMNS };
+static const char *const names[COLUMNS] = {"L", "gradient", "hessian", "third", "qdd", "qdd_y", "lambda", "rows"};
 
 typedef struct errors {
   double error[COLUMNS];     /* relative; negative where there is nothing */
@@ -138,6 +138,15 @@ static void check_mass(errors *e, const point *p, const eom_system *sys) {
   } while (next_index(index, 2, 2 * n + 1));
 }
 
+/* phi, then psi. */
+static void check_rows(errors *e, const point *p, const eom_system *sys) {
+  tl_real rows[64];
+  if (sys->m == 0) return;
+  memcpy(rows, sys->phi, (size_t)sys->m1 * sizeof *rows);
+  memcpy(rows + sys->m1, sys->psi, (size_t)sys->m2 * sizeof *rows);
+  compare_all(e, p, ROWS, "runtime", rows, sys->m);
+}
+
 static void check_motion(errors *e, const point *p, eom_system *sys) {
   const block *gradient = reference_block(p, names[GRADIENT]);
   int n = sys->n;
@@ -155,6 +164,7 @@ static void check_motion(errors *e, const point *p, eom_system *sys) {
   compare_all(e, p, QDD, "runtime", sys->qdd, n);
   compare_all(e, p, QDD_Y, "runtime", sys->qdd_y, 2 * n * n);
   compare_all(e, p, LAMBDA, "runtime", sys->lambda, sys->m);
+  check_rows(e, p, sys);
 }
 
 static errors no_errors(void) {

@@ -9,7 +9,8 @@ force(q, qd, t), holonomic(q, t) and nonholonomic(q, qd, t), each of which retur
 of the model's functions with steps 1e-40 (errors of 1e-80), those of the accelerations with steps 1e-20 (errors of 1e-40). Accelerations
 and multipliers solve [M -A'; A 0] (qdd, lambda) = (Q, b) by elimination. The condition printed with each block is, with |.| the largest
 number: for L and its derivatives D of order k, sum_i |x_i| |dD/dx_i| / |D| (for k = 3 that of k = 2), or 1 where that is less; for
-accelerations and multipliers the condition of that matrix, or sum_i |y_i| |dqdd/dy_i| / |qdd| where that is more. Needs mpmath.
+accelerations and multipliers the condition of that matrix, or sum_i |y_i| |dqdd/dy_i| / |qdd| where that is more; for constraint rows as
+for L. Needs mpmath.
 """
 import importlib.util
 import itertools
@@ -103,6 +104,11 @@ class Model:
         columns = [phi(i) + psi(n + i) for i in range(n)]
         return [list(row) for row in zip(*columns)], [-b for b in phi_s(0, 0) + psi_s(0)]
 
+    def constraint_rows(self, x):
+        """phi, then psi."""
+        n = self.n
+        return self.rows('holonomic', x[:n], x[-1]) + self.rows('nonholonomic', x[:n], x[n:-1], x[-1])
+
     def accelerations(self, x):
         """qdd, then lambda."""
         return list(lu_solve(*self.matrix_and_right_side(x)))
@@ -145,6 +151,9 @@ def motion_blocks(model, x, with_jacobian):
         blocks.append(['qdd_y', condition, [c[i] for i in range(model.n) for c in columns]])
         for place, part in ((0, slice(0, model.n)), (1, slice(model.n, None)), (2, slice(0, model.n))):
             blocks[place][1] = max(condition, relative_growth(x, both[part], [c[part] for c in columns]))
+    rows = Differences(model.constraint_rows, x, STEP)
+    if rows():
+        blocks.append(['rows', relative_growth(x, rows(), [rows(i) for i in range(len(x))]), rows()])
     return blocks
 
 
