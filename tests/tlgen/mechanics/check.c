@@ -142,8 +142,7 @@ static void check_mass(errors *e, const point *p, const eom_system *sys) {
 static void check_rows(errors *e, const point *p, const eom_system *sys) {
   tl_real rows[64];
   if (sys->m == 0) return;
-  memcpy(rows, sys->phi, (size_t)sys->m1 * sizeof *rows);
-  memcpy(rows + sys->m1, sys->psi, (size_t)sys->m2 * sizeof *rows);
+  for (int i = 0; i < sys->m; i++) rows[i] = i < sys->m1 ? sys->phi[i] : sys->psi[i - sys->m1];
   compare_all(e, p, ROWS, "runtime", rows, sys->m);
 }
 
