@@ -1,11 +1,12 @@
 # taylor_add_model(TARGET SOURCES file.. [MODEL name] [DOF n|member] [LAGRANGIAN f] [FORCE f] [HOLONOMIC f[:rows]..]
-#                  [NONHOLONOMIC f[:rows]..] [ARGS role=name..] [RECURSION f:depth..] [INCLUDE_DIRECTORIES dir..] [COMPILE_DEFINITIONS def..])
+#                  [NONHOLONOMIC f[:rows]..] [ARGS role=name..] [RECURSION f:depth..] [RULES f:rule..]
+#                  [INCLUDE_DIRECTORIES dir..] [COMPILE_DEFINITIONS def..])
 #
 # Runs tlgen over plain C sources and makes a static library TARGET of the result. Programs that link it include <MODEL>_tl.h, which
 # declares <MODEL>_model; MODEL is TARGET's name where it is not given. A change in a source or a header that it includes runs tlgen again.
 function(taylor_add_model target)
   cmake_parse_arguments(PARSE_ARGV 1 arg "" "MODEL;DOF;LAGRANGIAN;FORCE"
-    "SOURCES;HOLONOMIC;NONHOLONOMIC;ARGS;RECURSION;INCLUDE_DIRECTORIES;COMPILE_DEFINITIONS")
+    "SOURCES;HOLONOMIC;NONHOLONOMIC;ARGS;RECURSION;RULES;INCLUDE_DIRECTORIES;COMPILE_DEFINITIONS")
   if(arg_UNPARSED_ARGUMENTS)
     message(FATAL_ERROR "taylor_add_model(${target}): unknown arguments: ${arg_UNPARSED_ARGUMENTS}")
   endif()
@@ -25,6 +26,9 @@ function(taylor_add_model target)
   endforeach()
   foreach(value IN LISTS arg_ARGS)
     list(APPEND options --arg ${value})
+  endforeach()
+  foreach(value IN LISTS arg_RULES)
+    list(APPEND options --rule ${value})
   endforeach()
   set(sources)
   foreach(source IN LISTS arg_SOURCES)

@@ -13,6 +13,12 @@ void tl_const(tl_ctx *cx, tl_real *c, tl_real x) {
   tl_check(cx, c, TL_FN_seed);
 }
 
+void tl_integer(tl_ctx *cx, tl_real *c, long long n) {
+  const long long limit = (long long)1 << (sizeof(tl_real) == sizeof(float) ? 24 : 53);
+  tl_const(cx, c, (tl_real)n);
+  if (n > limit || n < -limit) tl_reject(cx, c, TL_NONFINITE, TL_FN_seed);
+}
+
 void tl_seed(tl_ctx *cx, tl_real *c, tl_real x, int i) {
   assert(i >= 0 && i < cx->shape->nvar);
   set_constant(cx, c, x);

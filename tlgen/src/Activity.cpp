@@ -1,7 +1,9 @@
 // Activity by unification and a fixed point over each function.
 #include "Activity.h"
+#include "MathFunctions.h"
 #include "PrintC.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <functional>
 #include <set>
@@ -106,10 +108,12 @@ bool Variant::varied(const Expr *e) const {
     return varied(e->args[1]) || varied(e->args[2]);
   case Expr::Comma:
     return varied(e->args[1]);
+  case Expr::MathCall:
+    if (!e->rule && findMath(e->text)->kind != MathFunction::Smooth) return false;
+    [[fallthrough]];
   case Expr::Unary:
   case Expr::Binary:
   case Expr::Cast:
-  case Expr::MathCall:
     for (const Expr *arg : e->args)
       if (varied(arg)) return true;
     return false;
@@ -226,15 +230,16 @@ private:
     return p;
   }
 
-  void visit(const Expr *e) {
+  void visit(const Expr *e, const Expr *parent = nullptr) {
     prepare(e);
     for (const Expr *arg : e->args)
-      if (arg) visit(arg);
+      if (arg) visit(arg, e);
     if (e->kind == Expr::Call) call(e);
     if (e->kind == Expr::Assign) assign(e);
     if (e->kind == Expr::InitList && v_.place(e) && v_.varied(e)) activate(v_.place(e), e->loc, "a literal");
     if (e->kind == Expr::Step) write(v_.place(e->args[0]), e->loc);
     if (checking_) check(e);
+    if (checking_) checkAddress(e, parent);
   }
 
   void assign(const Expr *e) {
@@ -315,7 +320,7 @@ private:
   // An active object must have a layout of jets.
   void checkType(const Type *type, const Loc &loc, const std::string &what) {
     while (type->kind == Type::Pointer || type->kind == Type::Array) type = type->element;
-    if (type->kind == Type::Struct && !allReal(type))
+    if (type->kind == Type::Struct && !allNumbers(type))
       activity_.report("struct-active", loc, what + " of type '" + type->record->spelling + "'");
   }
 
@@ -331,6 +336,16 @@ private:
     if (e->kind == Expr::Member) refuse(e);
   }
 
+  // The integers of a struct with active numbers are jets as well: only the struct itself leads to them.
+  void checkAddress(const Expr *e, const Expr *parent) {
+    bool address = e->kind == Expr::Decay || e->kind == Expr::AddressOf;
+    const Type *type = address ? e->args[0]->type : nullptr;
+    while (type && type->kind == Type::Array) type = type->element;
+    if (!address || type->kind != Type::Integer || (parent && (parent->kind == Expr::Index || parent->kind == Expr::Deref))) return;
+    Place *p = v_.place(e->args[0]);
+    if (p && p->active) activity_.report("struct-active", e->loc, "the address of an integer in it");
+  }
+
   // What only shows once the fixed point is reached.
   void check(const Expr *e) {
     checkKept(e);
@@ -340,8 +355,15 @@ private:
     if (toInteger && v_.varied(e->args[0])) activity_.report("active-integer", e->loc, "conversion to '" + e->type->name + "'");
     bool compound = e->kind == Expr::Assign && e->args[0]->type->kind == Type::Integer && v_.varied(e->args[1]);
     if (compound) activity_.report("active-integer", e->loc, "assignment to '" + e->args[0]->type->name + "'");
-    if (e->type->kind == Type::Real && e->type->name == "float" && v_.varied(e))
-      activity_.report("float-active", e->loc, "'float' expression");
+    if (e->kind == Expr::MathCall && !e->rule) checkMath(e);
+  }
+
+  // Functions that are constant between jumps, and those without a derivative that anyone would want.
+  void checkMath(const Expr *e) {
+    bool active = std::any_of(e->args.begin(), e->args.end(), [&](const Expr *arg) { return v_.varied(arg); });
+    MathFunction::Kind kind = findMath(e->text)->kind;
+    if (active && kind == MathFunction::Step) activity_.report("zero-derivative", e->loc, "'" + e->text + "'");
+    if (active && kind == MathFunction::Opaque) activity_.report("unknown-function", e->loc, "'" + e->text + "'");
   }
 
   Activity &activity_;

@@ -24,8 +24,8 @@ public:
     if (!prototypes.empty()) functions = prototypes + "\n" + functions;
     EmittedModel out;
     out.header = header();
-    out.source = title(".") + "#include \"" + headerName + "\"\n\n#include \"taylor/taylor.h\"\n\n" + records(false) + tables() +
-                 functions + adapters() + description();
+    out.source = title(".") + "#include \"" + headerName + "\"\n\n#include \"taylor/taylor.h\"\n\n" + records(false) + externals() +
+                 tables() + functions + adapters() + description();
     return out;
   }
 
@@ -65,6 +65,22 @@ private:
     return title(".") + "#ifndef " + guard + "\n#define " + guard + "\n\n#include \"eom/model.h\"\n\n" + records(true) +
            "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\nextern const eom_model " + model_.name +
            "_model;\n\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
+  }
+
+  // Functions from elsewhere. Of stdlib.h only those that are called, since its other names may be the user's.
+  std::string externals() const {
+    std::string s;
+    for (const std::string &name : emitted_.absolutes) {
+      std::string type = name == "abs" ? "int" : name == "labs" ? "long" : "long long";
+      s += type + " " + name + "(" + type + ");\n";
+    }
+    for (const auto &rule : program_.rules) {
+      std::string args = "double";
+      for (size_t i = 1; i < rule.second.arity; ++i) args += ", double";
+      s += "double " + rule.second.function + "(" + args + ");\n";
+      s += std::string(rule.second.arity == 1 ? "tl_rule " : "tl_rule_n ") + rule.second.taylor + ";\n";
+    }
+    return s.empty() ? s : s + "\n";
   }
 
   std::string tables() const {

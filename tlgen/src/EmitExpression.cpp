@@ -2,6 +2,7 @@
 //
 // A destination is written by the last operation of an expression only, so it may be one of the operands.
 #include "EmitFunction.h"
+#include "MathFunctions.h"
 
 #include <algorithm>
 #include <cmath>
@@ -33,7 +34,10 @@ std::string Address::offset() const {
 
 std::string Address::pointer() const { return terms.empty() || offset().empty() ? base : base + " + " + offset(); }
 
-std::string Address::value() const { return base + "[" + (offset().empty() ? "0" : offset()) + "]"; }
+std::string Address::value() const {
+  std::string pointer = base.find(' ') == std::string::npos ? base : "(" + base + ")";
+  return pointer + "[" + (offset().empty() ? "0" : offset()) + "]";
+}
 
 bool FunctionEmitter::activeObject(const Expr *e) const {
   if (e->type->kind != Type::Real && e->type->kind != Type::Struct) return false;
@@ -47,6 +51,14 @@ bool FunctionEmitter::isObject(const Expr *e) const {
   return named && (activeObject(e) || (e->kind == Expr::Member && v_.varied(e)));
 }
 
+// An integer in a struct of jets, where it is the value of a jet.
+bool FunctionEmitter::activeInteger(const Expr *e) const {
+  if (e->type->kind != Type::Integer) return false;
+  if (e->kind == Expr::Member) return e->arrow ? v_.pointsToActive(e->args[0]) : v_.varied(e->args[0]);
+  Place *p = e->kind == Expr::Index || e->kind == Expr::Deref ? v_.place(e) : nullptr;
+  return p && p->active;
+}
+
 bool FunctionEmitter::activePointer(const Expr *e) const { return e->type->kind == Type::Pointer && v_.pointsToActive(e); }
 
 // True where evaluating the expression twice would differ from once.
@@ -57,7 +69,7 @@ bool FunctionEmitter::hasEffect(const Expr *e) {
 
 // True where the value of e needs jets to be computed first, in statements of their own.
 bool FunctionEmitter::needsStatements(const Expr *e) const {
-  if ((e->kind == Expr::Assign || e->kind == Expr::Step) && activeObject(e->args[0])) return true;
+  if ((e->kind == Expr::Assign || e->kind == Expr::Step) && (activeObject(e->args[0]) || activeInteger(e->args[0]))) return true;
   if (e->kind == Expr::Call && v_.callees.at(e)->active()) {
     if (find(v_.callees.at(e)->result)->active) return true;
     for (size_t i = 0; i < e->args.size(); ++i)
@@ -239,7 +251,10 @@ Text FunctionEmitter::value(const Expr *e) {
     stepAt(x, e);
     return {old, Primary};
   }
-  if (isObject(e) || ((e->kind == Expr::Assign || e->kind == Expr::Step) && activeObject(e))) return {place(e).value(), Postfix};
+  if (isObject(e) || ((e->kind == Expr::Assign || e->kind == Expr::Step) && activeObject(e)))
+    return isSingle(e->type) ? Text{"(float)" + place(e).value(), Prefix} : Text{place(e).value(), Postfix};
+  if (activeInteger(e)) return integerAt(e->type, place(e).value());
+  if ((e->kind == Expr::Assign || e->kind == Expr::Step) && activeInteger(e->args[0])) return changeInteger(e);
   switch (e->kind) {
   case Expr::Literal:
     return {e->text, e->text[0] == '-' ? Prefix : Primary};
@@ -274,6 +289,7 @@ Text FunctionEmitter::value(const Expr *e) {
   case Expr::MathCall: {
     std::string args;
     for (const Expr *arg : e->args) args += (args.empty() ? "" : ", ") + operand(value(arg), Assignment);
+    if (e->text == "abs" || e->text == "labs" || e->text == "llabs") emitted_.absolutes.insert(e->text);
     return {e->text + "(" + args + ")", Postfix};
   }
   case Expr::Cast: {
@@ -303,6 +319,39 @@ Text FunctionEmitter::value(const Expr *e) {
   }
   }
   std::abort();
+}
+
+// The integer that stands at a place in a jet.
+Text FunctionEmitter::integerAt(const Type *type, const std::string &place) {
+  Type plain = *type;
+  plain.isConst = false;
+  return {"(" + tlgen::declaration(&plain, "") + ")" +
+              (type->name == "unsigned long" || type->name == "unsigned long long" ? "(long long)" : "") + place,
+          Prefix};
+}
+
+// n = x, n += x, n++ for such an integer; what its value is then.
+Text FunctionEmitter::changeInteger(const Expr *e) {
+  quote(e->loc);
+  const Expr *lhs = e->args[0];
+  std::string x = fixedAddress(lhs).s, kept;
+  Text now = integerAt(lhs->type, "*" + (x.find(' ') == std::string::npos ? x : "(" + x + ")"));
+  Text next = now;
+  if (e->kind == Expr::Step && !e->prefix) {
+    kept = fresh("old");
+    Type plain = *lhs->type;
+    plain.isConst = false;
+    line("const " + tlgen::declaration(&plain, kept) + " = " + now.s + ";");
+  }
+  if (e->kind == Expr::Step)
+    next = binaryText(e->text == "++" ? "+" : "-", now, {"1", Primary});
+  else if (e->text == "=")
+    next = value(e->args[1]);
+  else
+    next = binaryText(e->text.substr(0, e->text.size() - 1), now, value(e->args[1]));
+  if (e->text != "=") next = integerAt(lhs->type, operand(next, Prefix));
+  constants(x, lhs->type, next);
+  return kept.empty() ? now : Text{kept, Primary};
 }
 
 // A value where C asks for zero or not: compilers warn of a floating-point number there.
@@ -373,7 +422,7 @@ std::string FunctionEmitter::callText(const Expr *e, const std::string &dest) {
 
 // The address of a jet with the value of e: an object itself, or a temporary.
 std::string FunctionEmitter::jet(const Expr *e) {
-  if (e->kind == Expr::Cast) return jet(e->args[0]);
+  if (e->kind == Expr::Cast && !narrows(e)) return jet(e->args[0]);
   if (e->kind == Expr::Unary && e->text == "+") return jet(e->args[0]);
   if (isObject(e)) return address(e);
   std::string dest = temporary(e->type);
@@ -393,14 +442,15 @@ void FunctionEmitter::into(const std::string &dest, const Expr *e) {
   }
   switch (e->kind) {
   case Expr::Cast:
-    return into(dest, e->args[0]);
+    into(dest, e->args[0]);
+    return narrows(e) ? round(dest) : void();
   case Expr::Unary:
     if (e->text == "-") return operation("neg", dest + ", " + jet(e->args[0]));
     return into(dest, e->args[0]);
   case Expr::Binary:
-    return binaryInto(dest, e);
   case Expr::MathCall:
-    return mathInto(dest, e);
+    e->kind == Expr::Binary ? binaryInto(dest, e) : mathInto(dest, e);
+    return isSingle(e->type) ? round(dest) : void();
   case Expr::Call:
     return line(callText(e, dest) + ";");
   case Expr::Comma:
@@ -433,6 +483,11 @@ void FunctionEmitter::into(const std::string &dest, const Expr *e) {
   }
 }
 
+// Single precision is double precision, rounded to float after each operation.
+void FunctionEmitter::round(const std::string &x) { operation("float", x + ", " + x); }
+
+bool FunctionEmitter::narrows(const Expr *cast) const { return isSingle(cast->type) && !isSingle(cast->args[0]->type); }
+
 void FunctionEmitter::binaryInto(const std::string &dest, const Expr *e) {
   const Expr *a = e->args[0], *b = e->args[1];
   char op = e->text[0];
@@ -464,19 +519,30 @@ static bool integerExponent(const Expr *e, long &n) {
 }
 
 void FunctionEmitter::mathInto(const std::string &dest, const Expr *e) {
-  if (e->text == "pow" && !isJet(e->args[1])) {
+  const std::string name = e->rule ? "" : findMath(e->text)->operation;
+  if (name == "pow" && !isJet(e->args[1])) {
     long n = 0;
     std::string x = jet(e->args[0]);
     if (integerExponent(e->args[1], n)) return operation("powi", dest + ", " + x + ", " + std::to_string(n));
     return operation("powc", dest + ", " + x + ", " + operand(value(e->args[1]), Assignment));
   }
-  if (e->text == "pow" && !isJet(e->args[0])) {
+  if (name == "pow" && !isJet(e->args[0])) {
     std::string y = jet(e->args[1]);
     return operation("rpow", dest + ", " + operand(value(e->args[0]), Assignment) + ", " + y);
   }
+  if (e->rule) return ruleInto(dest, e);
   std::string args;
-  for (const Expr *arg : e->args) args += ", " + jet(arg);
-  operation(e->text, dest + args);
+  for (const Expr *arg : e->args) args += ", " + (arg->type->kind == Type::Real ? jet(arg) : operand(value(arg), Assignment));
+  operation(name, dest + args);
+}
+
+// An external function by its Taylor coefficients.
+void FunctionEmitter::ruleInto(const std::string &dest, const Expr *e) {
+  if (e->args.size() == 1) return operation("apply", dest + ", " + jet(e->args[0]) + ", " + e->rule->taylor + ", NULL");
+  std::string args, list = fresh("args");
+  for (const Expr *arg : e->args) args += (args.empty() ? "" : ", ") + jet(arg);
+  line("const tl_real *const " + list + "[] = {" + args + "};");
+  operation("apply_n", dest + ", " + std::to_string(e->args.size()) + ", " + list + ", " + e->rule->taylor + ", NULL");
 }
 
 } // namespace tlgen

@@ -25,6 +25,7 @@ struct Frame {
 struct Emitted {
   std::map<const Variant *, std::string> names;
   std::map<const Variant *, Frame> frames;
+  std::set<std::string> absolutes; // of abs, labs and llabs those that are called
 };
 
 // Where a jet stands: a pointer, and how many jets behind it.
@@ -64,6 +65,9 @@ private:
   void copyObject(const std::string &dest, const std::string &source, const Type *type);
   void evaluate(const Expr *e);
   Text assign(const Expr *e);
+  void update(const std::string &x, const Expr *e);
+  Text changeInteger(const Expr *e);
+  static Text integerAt(const Type *type, const std::string &place);
   Text step(const Expr *e);
   void stepAt(const std::string &x, const Expr *e);
   std::string effect(const Expr *e);
@@ -96,11 +100,15 @@ private:
   void into(const std::string &dest, const Expr *e);
   void binaryInto(const std::string &dest, const Expr *e);
   void mathInto(const std::string &dest, const Expr *e);
+  void ruleInto(const std::string &dest, const Expr *e);
   std::string callText(const Expr *e, const std::string &dest);
   bool needsStatements(const Expr *e) const;
   static bool hasEffect(const Expr *e);
   bool isJet(const Expr *e) const { return v_.varied(e); }
+  void round(const std::string &x);
+  bool narrows(const Expr *cast) const;
   bool activeObject(const Expr *lvalue) const;
+  bool activeInteger(const Expr *e) const;
   bool isObject(const Expr *e) const;
   bool activePointer(const Expr *e) const;
 

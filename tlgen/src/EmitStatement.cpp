@@ -181,6 +181,8 @@ void FunctionEmitter::constants(const std::string &base, const Type *type, const
   else if (type->kind == Type::Struct)
     for (const Field &field : type->record->fields)
       constants(part(fieldOffset(type->record, field.name)), field.type, {operand(text, Postfix) + "." + field.name, Postfix});
+  else if (type->kind == Type::Integer)
+    operation("integer", base + ", " + (type->name == "int" ? operand(text, Assignment) : "(long long)" + operand(text, Prefix)));
   else
     operation("const", base + ", " + operand(text, Assignment));
 }
@@ -205,6 +207,12 @@ void FunctionEmitter::evaluate(const Expr *e) {
   }
   if (e->kind == Expr::Step && activeObject(e->args[0])) {
     step(e);
+    return;
+  }
+  if ((e->kind == Expr::Assign || e->kind == Expr::Step) && activeInteger(e->args[0])) {
+    Expr prefix = *e; // nobody takes the value
+    prefix.prefix = true;
+    changeInteger(&prefix);
     return;
   }
   if (e->kind == Expr::Call && v_.callees.at(e)->active()) {
@@ -235,35 +243,42 @@ Text FunctionEmitter::step(const Expr *e) {
 
 void FunctionEmitter::stepAt(const std::string &x, const Expr *e) {
   operation("shift", x + ", " + x + ", " + (e->text == "++" ? "1" : "-1"));
+  if (isSingle(e->type)) round(x);
 }
 
 // lhs op= rhs; the address of lhs.
 Text FunctionEmitter::assign(const Expr *e) {
   quote(e->loc);
+  Text at = fixedAddress(e->args[0]);
+  if (e->text == "=") return into(at.s, e->args[1]), at;
+  update(at.s, e);
+  if (isSingle(e->args[0]->type)) round(at.s);
+  return at;
+}
+
+void FunctionEmitter::update(const std::string &x, const Expr *e) {
   const Expr *lhs = e->args[0], *rhs = e->args[1];
-  Text at = fixedAddress(lhs);
-  const std::string &x = at.s;
-  if (e->text == "=") return into(x, rhs), at;
   std::string op = e->text.substr(0, 1);
   if (!isJet(rhs)) {
     Text k = value(rhs);
     const char *name = op == "+" || op == "-" ? "shift" : op == "*" ? "scale" : "divc";
-    return operation(name, x + ", " + x + ", " + (op == "-" ? unaryText("-", k).s : operand(k, Assignment))), at;
+    return operation(name, x + ", " + x + ", " + (op == "-" ? unaryText("-", k).s : operand(k, Assignment)));
   }
-  bool scaledTerm = rhs->kind == Expr::Binary && rhs->text == "*" && isJet(rhs->args[0]) != isJet(rhs->args[1]);
+  bool scaledTerm = rhs->kind == Expr::Binary && rhs->text == "*" && isJet(rhs->args[0]) != isJet(rhs->args[1]) && !isSingle(rhs->type);
   if (scaledTerm && (op == "+" || op == "-")) {
     const Expr *factor = rhs->args[isJet(rhs->args[0]) ? 1 : 0], *term = rhs->args[isJet(rhs->args[0]) ? 0 : 1];
     Text k = value(factor);
     std::string y = jet(term);
-    return operation("axpy", x + ", " + (op == "-" ? unaryText("-", k).s : operand(k, Assignment)) + ", " + y), at;
+    return operation("axpy", x + ", " + (op == "-" ? unaryText("-", k).s : operand(k, Assignment)) + ", " + y);
   }
-  if (rhs->kind == Expr::Binary && rhs->text == "*" && op == "+" && isAlone(lhs, rhs->args[0]) && isAlone(lhs, rhs->args[1])) {
+  if (rhs->kind == Expr::Binary && rhs->text == "*" && op == "+" && isAlone(lhs, rhs->args[0]) && isAlone(lhs, rhs->args[1]) &&
+      !isSingle(rhs->type)) {
     std::string a = jet(rhs->args[0]), b = jet(rhs->args[1]);
-    return operation("muladd", x + ", " + a + ", " + b), at;
+    return operation("muladd", x + ", " + a + ", " + b);
   }
   std::string y = jet(rhs);
   const char *name = op == "+" ? "add" : op == "-" ? "sub" : op == "*" ? "mul" : "div";
-  return operation(name, x + ", " + x + ", " + y), at;
+  return operation(name, x + ", " + x + ", " + y);
 }
 
 // True where lhs is a local number that the factor, if it is an object itself, cannot be.

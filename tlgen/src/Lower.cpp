@@ -1,5 +1,6 @@
 // Turns Clang's tree into the intermediate program. Whatever Subset accepts has a case here, and nothing else.
 #include "Lower.h"
+#include "CopyLoop.h"
 #include "PrintC.h"
 
 #include "clang/AST/ASTContext.h"
@@ -37,26 +38,36 @@ std::string suffix(c::QualType type) {
 
 class Lowering {
 public:
-  Lowering(const Source &source, Program &program) : source_(source), program_(program) {}
+  Lowering(const Source &source, const Match &match, Program &program) : source_(source), match_(match), program_(program) {}
 
-  Function *declare(const c::FunctionDecl *decl) {
+  Function *declare(const Instance &instance) {
+    const c::FunctionDecl *decl = instance.function;
     Function *f = program_.make(Function{});
-    f->name = decl->getNameAsString();
+    f->name = instanceName(instance);
     context_ = &decl->getASTContext();
     f->result = type(decl->getReturnType());
     f->loc = loc(decl->getLocation());
-    for (const c::ParmVarDecl *param : decl->parameters()) f->params.push_back(variable(param, Variable::Parameter));
-    functions_[decl] = f;
+    for (const c::ParmVarDecl *param : decl->parameters())
+      if (!holdsFunction(param->getType())) f->params.push_back(variable(param, Variable::Parameter));
+    functions_[instance] = f;
     program_.functions.push_back(f);
     return f;
   }
 
-  void define(const c::FunctionDecl *decl) {
+  void define(const Instance &instance) {
+    const c::FunctionDecl *decl = instance.function;
     context_ = &decl->getASTContext();
-    functions_[decl]->body = stmt(decl->getBody());
+    Function *f = functions_[instance];
+    size_t next = 0;
+    for (const c::ParmVarDecl *param : decl->parameters()) // several instances have the same declarations
+      if (!holdsFunction(param->getType())) variables_[param] = const_cast<Variable *>(f->params[next++]);
+    Calls calls(source_, match_, instance);
+    calls_ = &calls;
+    f->body = stmt(decl->getBody());
+    calls_ = nullptr;
   }
 
-  Function *functionOf(const c::FunctionDecl *decl) { return functions_[decl]; }
+  Function *functionOf(const Instance &instance) { return functions_.at(instance); }
   const Record *record(const c::RecordDecl *decl);
 
 private:
@@ -74,6 +85,11 @@ private:
   Expr *castOf(const c::CastExpr *e);
   Expr *unary(const c::UnaryOperator *e);
   Expr *callOf(const c::CallExpr *e);
+  Expr *chosenCall(const c::CallExpr *e, const Reach &reach, const std::vector<Expr *> &args);
+  Expr *externalCall(const c::CallExpr *e, const Reach &reach, std::vector<Expr *> args);
+  Stmt *copyOf(const c::CallExpr *e, const BulkCopy &copy);
+  Stmt *evaluation(const c::Stmt *s, Expr *value);
+  static bool holdsFunction(c::QualType type);
   Expr *initList(const c::InitListExpr *e);
   Expr *node(Expr::Kind kind, const c::Expr *e, std::vector<Expr *> args, const std::string &text = "");
   Stmt *node(Stmt::Kind kind, const c::Stmt *s) {
@@ -84,9 +100,11 @@ private:
   }
 
   const Source &source_;
+  const Match &match_;
   Program &program_;
   const c::ASTContext *context_ = nullptr;
-  std::map<const c::FunctionDecl *, Function *> functions_;
+  const Calls *calls_ = nullptr; // of the function whose body is being lowered
+  std::map<Instance, Function *> functions_;
   std::map<const c::VarDecl *, Variable *> variables_;
   std::map<const c::RecordDecl *, const Record *> records_;
   std::map<std::string, int> files_;
@@ -107,8 +125,8 @@ const Type *Lowering::type(c::QualType qt) {
     t.element = type(variable->getElementType());
     t.isConst = t.element->isConst;
   } else if (canonical->isPointerType()) {
-    t.kind = Type::Pointer;
-    t.element = type(qt->getPointeeType());
+    t.kind = Type::Pointer; // to a function: a member that keeps its room in a struct, and no more
+    t.element = type(Calls::isFunctionPointer(canonical) ? context_->VoidTy : qt->getPointeeType());
   } else if (const auto *rec = canonical->getAs<c::RecordType>()) {
     t.kind = Type::Struct;
     t.record = record(rec->getDecl());
@@ -212,7 +230,7 @@ Stmt *Lowering::declaration(const c::DeclStmt *s) {
   Stmt *block = node(Stmt::Block, s);
   for (const c::Decl *d : s->decls()) {
     const auto *decl = llvm::dyn_cast<c::VarDecl>(d);
-    if (!decl) continue; // a local type
+    if (!decl || holdsFunction(decl->getType())) continue; // a local type, or a function that calls are settled with
     Stmt *one = node(Stmt::Declare, s);
     one->var = variable(decl, Variable::Local);
     if (decl->getInit() && !one->var->isStatic) one->expr = expr(decl->getInit());
@@ -303,9 +321,30 @@ Stmt *Lowering::stmt(const c::Stmt *s) {
     if (ret->getRetValue()) n->expr = expr(ret->getRetValue());
     return n;
   }
-  Stmt *n = node(Stmt::Evaluate, s);
-  n->expr = expr(llvm::cast<c::Expr>(s));
+  const auto *e = llvm::cast<c::Expr>(s)->IgnoreParens();
+  if (const auto *cast = llvm::dyn_cast<c::CStyleCastExpr>(e))
+    if (cast->getType()->isVoidType()) e = cast->getSubExpr()->IgnoreParens();
+  if (const auto *call = llvm::dyn_cast<c::CallExpr>(e)) {
+    Reach reach = calls_->reach(call);
+    if (reach.kind == Reach::Copy) return copyOf(call, *reach.copy);
+  }
+  return evaluation(s, expr(llvm::cast<c::Expr>(s)));
+}
+
+// An expression for its effects: a choice between two of them is a branch.
+Stmt *Lowering::evaluation(const c::Stmt *s, Expr *value) {
+  bool choice = value->kind == Expr::Conditional;
+  Stmt *n = node(choice ? Stmt::If : Stmt::Evaluate, s);
+  n->expr = choice ? value->args[0] : value;
+  if (choice) n->then = evaluation(s, value->args[1]), n->otherwise = evaluation(s, value->args[2]);
   return n;
+}
+
+Stmt *Lowering::copyOf(const c::CallExpr *call, const BulkCopy &copy) {
+  const c::Expr *bytes = call->getArg(2); // of the type size_t
+  Expr *count = node(Expr::Literal, bytes, {}, std::to_string(copy.number) + suffix(bytes->getType()));
+  if (copy.factor) count = node(Expr::Binary, bytes, {node(Expr::Cast, bytes, {expr(copy.factor)}), count}, "*");
+  return copyLoop(program_, loc(call->getExprLoc()), expr(copy.to), copy.from ? expr(copy.from) : nullptr, count, copy.overlap);
 }
 
 Expr *Lowering::node(Expr::Kind kind, const c::Expr *e, std::vector<Expr *> args, const std::string &text) {
@@ -353,20 +392,55 @@ Expr *Lowering::unary(const c::UnaryOperator *e) {
   }
 }
 
+bool Lowering::holdsFunction(c::QualType type) {
+  while (const auto *array = type->getAsArrayTypeUnsafe()) type = array->getElementType();
+  return Calls::isFunctionPointer(type);
+}
+
 Expr *Lowering::callOf(const c::CallExpr *e) {
+  Reach reach = calls_->reach(e);
   std::vector<Expr *> args;
-  for (const c::Expr *arg : e->arguments()) args.push_back(expr(arg));
-  const c::FunctionDecl *callee = e->getDirectCallee();
-  if (mathCallee(callee, source_)) return node(Expr::MathCall, e, std::move(args), callee->getNameAsString());
-  Expr *n = node(Expr::Call, e, std::move(args));
-  n->callee = functions_.at(source_.definition(callee));
+  for (const c::Expr *arg : e->arguments())
+    if (!holdsFunction(arg->getType())) args.push_back(expr(arg));
+  if (reach.kind == Reach::Functions) return chosenCall(e, reach, args);
+  if (reach.kind == Reach::Rule) return externalCall(e, reach, std::move(args));
+  return node(Expr::MathCall, e, std::move(args), mathName(reach.callee->getNameAsString()));
+}
+
+// One call, or a choice between calls: the condition's, or by comparing the index; past the last but one it is the last.
+Expr *Lowering::chosenCall(const c::CallExpr *e, const Reach &reach, const std::vector<Expr *> &args) {
+  Expr *chain = nullptr;
+  for (size_t i = reach.instances.size(); i-- > 0;) {
+    Expr *call = node(Expr::Call, e, args);
+    call->callee = functions_.at(reach.instances[i]);
+    if (!chain) {
+      chain = call;
+      continue;
+    }
+    Expr *test = expr(reach.choice);
+    if (!reach.choiceIsCondition) {
+      Expr *number = node(Expr::Literal, reach.choice, {}, std::to_string(i) + suffix(reach.choice->getType()));
+      test = node(Expr::Binary, reach.choice, {test, number}, "==");
+    }
+    chain = node(Expr::Conditional, e, {test, call, chain});
+  }
+  return chain;
+}
+
+Expr *Lowering::externalCall(const c::CallExpr *e, const Reach &reach, std::vector<Expr *> args) {
+  std::string name = reach.callee->getNameAsString();
+  Expr *n = node(Expr::MathCall, e, std::move(args), name);
+  n->rule = &program_.rules.emplace(name, Rule{name, reach.rule, n->args.size()}).first->second;
   return n;
 }
 
 Expr *Lowering::initList(const c::InitListExpr *e) {
   if (const c::InitListExpr *semantic = e->getSemanticForm()) e = semantic;
   std::vector<Expr *> items;
-  for (const c::Expr *item : e->inits()) items.push_back(item && !llvm::isa<c::ImplicitValueInitExpr>(item) ? expr(item) : nullptr);
+  for (const c::Expr *item : e->inits()) {
+    bool left = !item || llvm::isa<c::ImplicitValueInitExpr>(item) || holdsFunction(item->getType());
+    items.push_back(left ? nullptr : expr(item));
+  }
   return node(Expr::InitList, e, std::move(items));
 }
 
@@ -430,17 +504,19 @@ Expr *Lowering::expr(const c::Expr *e) {
 
 } // namespace
 
-void lower(const Source &source, const Match &match, const std::vector<const c::FunctionDecl *> &functions,
-           const std::string &modelName, Program &program, Model &model) {
-  Lowering lowering(source, program);
-  for (const c::FunctionDecl *f : functions) lowering.declare(f);
-  for (const c::FunctionDecl *f : functions) lowering.define(f);
+void lower(const Source &source, const Match &match, const std::vector<Instance> &functions, const std::string &modelName,
+           Program &program, Model &model) {
+  Lowering lowering(source, match, program);
+  for (const Instance &f : functions) lowering.declare(f);
+  for (const Instance &f : functions) lowering.define(f);
   model.name = modelName;
   model.dof = match.dof;
   if (match.params) model.params = lowering.record(match.params);
+  auto bound = [&](const c::FunctionDecl *f) { return Instance{f, std::vector<const c::FunctionDecl *>(f->getNumParams())}; };
   for (const auto &r : match.recursion)
-    if (Function *f = lowering.functionOf(r.first)) model.recursion[f] = r.second;
-  for (const Matched &m : match.functions) model.functions.push_back({m.role, lowering.functionOf(m.function), m.args, m.rows});
+    for (const Instance &f : functions)
+      if (f.function == r.first) model.recursion[lowering.functionOf(f)] = r.second;
+  for (const Matched &m : match.functions) model.functions.push_back({m.role, lowering.functionOf(bound(m.function)), m.args, m.rows});
 }
 
 } // namespace tlgen

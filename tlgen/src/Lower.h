@@ -7,8 +7,8 @@
 namespace tlgen {
 
 // functions: as checkSubset ordered them, and without a fault. Fills program and model.
-void lower(const Source &source, const Match &match, const std::vector<const clang::FunctionDecl *> &functions,
-           const std::string &modelName, Program &program, Model &model);
+void lower(const Source &source, const Match &match, const std::vector<Instance> &functions, const std::string &modelName,
+           Program &program, Model &model);
 
 } // namespace tlgen
 

@@ -80,6 +80,7 @@ public:
     for (const FunctionOption &f : options_.holonomic) addNamed(Role::Holonomic, f.name, f.rows);
     for (const FunctionOption &f : options_.nonholonomic) addNamed(Role::Nonholonomic, f.name, f.rows);
     addMarked();
+    for (const FunctionOption &f : options_.rules) match_.rules[f.name] = f.rows;
     std::stable_sort(match_.functions.begin(), match_.functions.end(),
                      [](const Matched &a, const Matched &b) { return a.role < b.role; });
     checkLagrangian();
@@ -107,7 +108,7 @@ private:
     for (const clang::FunctionDecl *function : source_.definitions()) {
       std::string text = markOf(function), name = text.substr(0, text.find(':'));
       std::string rows = name.size() < text.size() ? text.substr(name.size() + 1) : "";
-      if (text.empty()) continue;
+      if (text.empty() || name == "rule") continue;
       if (name == "lagrangian")
         add(Role::Lagrangian, function, rows);
       else if (name == "force")
@@ -270,6 +271,13 @@ private:
 };
 
 } // namespace
+
+std::string ruleOf(const clang::FunctionDecl *external, const Match &match) {
+  auto named = match.rules.find(external->getNameAsString());
+  if (named != match.rules.end()) return named->second;
+  std::string text = markOf(external);
+  return text.compare(0, 5, "rule:") == 0 ? text.substr(5) : "";
+}
 
 Match matchModel(const Source &source, const Options &options, Diagnostics &diags) { return Matcher(source, options, diags).run(); }
 

@@ -19,7 +19,11 @@ struct Match {
   std::vector<Matched> functions; // Lagrangian first, then force, holonomic and nonholonomic in the order given
   const clang::RecordDecl *params = nullptr;
   std::map<const clang::FunctionDecl *, Count> recursion; // how deep helpers that call themselves may go
+  std::map<std::string, std::string> rules; // functions that fill Taylor coefficients, by what they are the derivatives of
 };
+
+// The function that fills the Taylor coefficients of an external one, by option or mark; empty where there is none.
+std::string ruleOf(const clang::FunctionDecl *external, const Match &match);
 
 // Reports what is missing or contradictory; the result is whole only where diags has no error afterwards.
 Match matchModel(const Source &source, const Options &options, Diagnostics &diags);

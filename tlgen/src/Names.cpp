@@ -1,5 +1,6 @@
 // Which names are taken, and by whom.
 #include "Names.h"
+#include "MathFunctions.h"
 
 #include <map>
 
@@ -18,19 +19,17 @@ bool reservedInside(const std::string &name) {
   return own.count(name) || temporary || startsWith(name, "tl_") || startsWith(name, "eom_");
 }
 
-// What math.h declares besides the functions of the algebra, POSIX's and older names included.
-bool inMathHeader(const std::string &name) {
-  static const std::set<std::string> others = {
-      "ceil",   "drem",    "erfc",        "fdim",      "finite",     "floor",     "fmod",   "frexp",   "gamma", "ilogb", "isinf",
-      "isnan",  "j0",      "j1",          "jn",        "ldexp",      "lgamma",    "llrint", "llround", "logb",  "lrint", "lround",
-      "modf",   "nan",     "nearbyint",   "nextafter", "nexttoward", "remainder", "remquo", "rint",    "round", "scalb", "scalbln",
-      "scalbn", "signgam", "significand", "tgamma",    "trunc",      "y0",        "y1",     "yn"};
+// What the headers declare that the output includes, POSIX's and older names included.
+bool inHeaders(const std::string &name) {
+  static const std::set<std::string> others = {"drem",    "finite",  "frexp",       "gamma",      "j0",     "j1",
+                                               "jn",      "modf",    "nan",         "nexttoward", "remquo", "scalb",
+                                               "scalbln", "signgam", "significand", "y0",         "y1",     "yn"};
   return findMath(name) || others.count(name);
 }
 
 bool reservedOutside(const std::string &name, const std::string &model) {
   static const std::set<std::string> adapters = {"q", "qd", "t", "params", "out"}, last = {"dof", "model", "holonomic", "nonholonomic"};
-  if (reservedInside(name) || inMathHeader(name) || adapters.count(name)) return true;
+  if (reservedInside(name) || inHeaders(name) || adapters.count(name)) return true;
   if (!startsWith(name, model + "_")) return false;
   std::string rest = name.substr(model.size() + 1);
   return last.count(rest) || endsWith(rest, "_jet") || endsWith(rest, "_frame") || endsWith(rest, "_rows");
@@ -42,6 +41,7 @@ void separateNames(Program &program, const std::string &model) {
   std::map<std::string, int> globals;
   for (const Variable &v : program.variables()) program.names.insert(v.name);
   for (const Function *f : program.functions) program.names.insert(f->name);
+  for (const auto &rule : program.rules) program.names.insert({rule.second.function, rule.second.taylor});
   auto renamed = [&](std::string name) {
     do name += "_";
     while (program.names.count(name));

@@ -23,6 +23,8 @@ Model
   --force NAME           the generalized force (one row per coordinate)
   --dof N                the number of coordinates: a constant, or the name of an integer member of the parameter struct
   --recursion NAME:D     the helper function NAME may call itself, at most D deep (a constant or a member); may be repeated
+  --rule NAME:RULE       the function NAME has no C here; RULE is one that fills its Taylor coefficients (a tl_rule, or a tl_rule_n
+                         for several arguments, of <taylor/rule.h>); may be repeated
   --model NAME           name of the model (default: the first source's name without its ending)
   --arg ROLE=NAME        a parameter called NAME has this role: q, qd, t, p (parameter struct) or out.
                          Parameters with those very names need no option. Coordinates that are passed one by one are
@@ -66,6 +68,12 @@ FunctionOption splitRows(const std::string &text) {
   return {text.substr(0, colon), text.substr(colon + 1)};
 }
 
+bool addRule(Options &o, const std::string &text) {
+  FunctionOption rule = splitRows(text);
+  if (rule.name.empty() || rule.rows.empty()) return usageError("--rule wants NAME:RULE, for example --rule drag:drag_taylor");
+  return o.rules.push_back(rule), true;
+}
+
 bool addArg(Options &o, const std::string &text) {
   size_t eq = text.find('=');
   if (eq == std::string::npos || eq == 0 || eq + 1 == text.size())
@@ -102,6 +110,7 @@ bool setOption(Options &o, Run *run, const std::string &name, const std::string 
   if (name == "-p") return setOnce(o.compileCommands, name, value);
   if (name == "--arg") return addArg(o, value);
   if (name == "--holonomic") return o.holonomic.push_back(splitRows(value)), true;
+  if (name == "--rule") return addRule(o, value);
   if (name == "--recursion") return o.recursion.push_back(splitRows(value)), true;
   if (name == "--nonholonomic") return o.nonholonomic.push_back(splitRows(value)), true;
   return usageError("unknown option '" + name + "'");

@@ -25,6 +25,7 @@ struct Options {
   std::string lagrangian, force;
   std::vector<FunctionOption> holonomic, nonholonomic;
   std::vector<FunctionOption> recursion; // rows: the depth
+  std::vector<FunctionOption> rules;     // rows: the function that fills the Taylor coefficients
   std::map<std::string, ArgOption> args; // by parameter name
   std::vector<std::string> compilerArgs; // after --
   bool depfile = false, selftest = false;

@@ -134,10 +134,10 @@ long fieldOffset(const Record *record, const std::string &name) {
   return n;
 }
 
-bool allReal(const Type *type) {
-  if (type->kind == Type::Array) return allReal(type->element);
-  if (type->kind != Type::Struct) return type->kind == Type::Real;
-  return std::all_of(type->record->fields.begin(), type->record->fields.end(), [](const Field &f) { return allReal(f.type); });
+bool allNumbers(const Type *type) {
+  if (type->kind == Type::Array) return allNumbers(type->element);
+  if (type->kind != Type::Struct) return type->kind == Type::Real || type->kind == Type::Integer;
+  return std::all_of(type->record->fields.begin(), type->record->fields.end(), [](const Field &f) { return allNumbers(f.type); });
 }
 
 std::string commentText(std::string text) {

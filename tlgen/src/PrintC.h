@@ -58,7 +58,9 @@ bool variableLength(const Type *type);
 
 // How many numbers stand before a member of a struct, and whether all members are numbers, or arrays or structs of them.
 long fieldOffset(const Record *record, const std::string &field);
-bool allReal(const Type *type);
+bool allNumbers(const Type *type);
+
+inline bool isSingle(const Type *type) { return type->kind == Type::Real && type->name == "float"; }
 
 // True for a number and for an array or struct: what a pointer in the output points to as jets. False for pointers and arrays of them.
 bool holdsNumbers(const Type *type);

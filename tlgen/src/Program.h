@@ -15,6 +15,7 @@ namespace tlgen {
 struct Expr;
 struct Function;
 struct Record;
+struct Rule;
 struct Stmt;
 
 // A place in the source. file indexes Program::files and paths; line and column count from 1, and line 0 means no place.
@@ -67,7 +68,7 @@ struct Expr {
     Binary,      // args[0] text args[1], comparisons and && || included
     Conditional, // args[0] ? args[1] : args[2]
     Call,        // callee(args)
-    MathCall,    // text(args): a function of math.h
+    MathCall,    // text(args): a function of math.h, or an external one with a rule
     Cast,        // (type)args[0], written or implied
     Assign,      // args[0] text args[1], text "=", "+=", ...
     Step,        // text is "++" or "--", before where prefix
@@ -80,6 +81,7 @@ struct Expr {
   std::vector<Expr *> args;
   const Variable *var = nullptr;
   Function *callee = nullptr;
+  const Rule *rule = nullptr;
   bool arrow = false, prefix = false;
 };
 
@@ -102,6 +104,12 @@ struct Function {
   std::vector<const Variable *> params;
   Stmt *body = nullptr;
   Loc loc;
+};
+
+// An external function of numbers, and the function that fills its Taylor coefficients.
+struct Rule {
+  std::string function, taylor;
+  size_t arity;
 };
 
 // What a function of the model is for.
@@ -145,6 +153,7 @@ public:
   std::vector<const Record *> records;           // in the order of definition
   std::vector<const Variable *> globals;
   std::vector<Function *> functions; // callees before callers
+  std::map<std::string, Rule> rules; // of external functions, by name
   std::set<std::string> names;       // of all variables and functions, as they are printed
 
   std::deque<Variable> &variables() { return vars_; }
@@ -164,13 +173,6 @@ private:
   std::deque<Function> funcs_;
   std::deque<Record> recs_;
 };
-
-// The functions of math.h that the algebra knows. arity counts the arguments.
-struct MathFunction {
-  const char *name;
-  int arity;
-};
-const MathFunction *findMath(const std::string &name);
 
 } // namespace tlgen
 

@@ -21,7 +21,7 @@ const char *refusedType(QualType type) {
   if (type->isAtomicType()) return "atomic";
   if (type->isAnyComplexType()) return "complex";
   if (type->isSpecificBuiltinType(BuiltinType::LongDouble)) return "long-double";
-  if (type->isFunctionPointerType()) return "function-pointer";
+  if (type->isFunctionPointerType()) return nullptr; // what is done with it decides
   if (const auto *array = type->getAsArrayTypeUnsafe())
     return isa<ConstantArrayType>(array) || isa<VariableArrayType>(array) ? refusedType(array->getElementType()) : "type";
   if (type->isPointerType()) return type->getPointeeType()->isVoidType() ? "type" : refusedType(type->getPointeeType());
@@ -53,8 +53,8 @@ bool holdsPointer(QualType type) {
 
 class Walker : public RecursiveASTVisitor<Walker> {
 public:
-  Walker(const Source &source, const FunctionDecl *function, std::set<const FunctionDecl *> &callees)
-      : source_(source), context_(function->getASTContext()), callees_(callees) {}
+  Walker(const Source &source, const Match &match, const Instance &instance, std::set<Instance> &callees)
+      : source_(source), context_(instance.function->getASTContext()), calls_(source, match, instance), callees_(callees) {}
 
   // Only what a list means, not how it was written: designators are resolved.
   bool TraverseInitListExpr(InitListExpr *list, DataRecursionQueue * = nullptr) {
@@ -65,9 +65,22 @@ public:
     return true;
   }
 
+  // Of a copy of whole objects, the pointers as they were before they lost their types.
+  bool TraverseCallExpr(CallExpr *call, DataRecursionQueue * = nullptr) {
+    Reach reach = calls_.reach(call);
+    if (reach.kind != Reach::Copy) return RecursiveASTVisitor::TraverseCallExpr(call);
+    if (!statements_.count(call)) report("unsupported", call->getBeginLoc(), "the value of '" + spelling(call) + "'");
+    if (!reach.copy) report("bulk-copy", call->getBeginLoc(), "'" + spelling(call) + "'");
+    if (!reach.copy) return true;
+    for (const Expr *part : {reach.copy->to, reach.copy->from, reach.copy->factor})
+      if (part) TraverseStmt(const_cast<Expr *>(part));
+    return true;
+  }
+
   // Which cases stand in their switch's own block, and which gotos go forward to a block they are in: before anything is visited.
   bool TraverseCompoundStmt(CompoundStmt *block) {
     blocks_.push_back(block);
+    for (const Stmt *part : block->body()) noteStatement(part);
     bool good = RecursiveASTVisitor::TraverseCompoundStmt(block);
     blocks_.pop_back();
     return good;
@@ -82,6 +95,7 @@ public:
   }
 
   bool VisitStmt(Stmt *s) {
+    noteParts(s);
     if (auto *jump = dyn_cast<GotoStmt>(s)) checkJump(jump);
     if (const char *id = refusedStmt(s)) report(id, s->getBeginLoc(), std::string("'") + spelling(s) + "'");
     return true;
@@ -93,31 +107,90 @@ public:
       report(id, v->getLocation(), name + " of type '" + v->getType().getAsString() + "'");
     if (v->isStaticLocal() && !deepConst(v->getType())) report("global-state", v->getLocation(), "static variable " + name);
     if (v->hasExternalStorage()) report("global-state", v->getLocation(), "extern variable " + name);
+    if (v->getInit() && holdsFunction(v->getType())) settled(v->getInit());
     return true;
   }
 
   bool VisitDeclRefExpr(DeclRefExpr *ref) {
     if (auto *v = dyn_cast<VarDecl>(ref->getDecl())) {
       if (v->hasGlobalStorage() && !v->isStaticLocal()) checkGlobal(v, ref->getLocation());
-    } else if (isa<FunctionDecl>(ref->getDecl()) && !called_.count(ref)) {
-      report("function-pointer", ref->getLocation(), "'" + ref->getDecl()->getNameAsString() + "'");
     }
+    QualType type = ref->getType();
+    while (const auto *array = type->getAsArrayTypeUnsafe()) type = array->getElementType();
+    bool function = isa<FunctionDecl>(ref->getDecl()) || Calls::isFunctionPointer(type);
+    if (function && !settled_.count(ref)) report("function-pointer", ref->getLocation(), "'" + ref->getDecl()->getNameAsString() + "'");
     return true;
   }
 
   bool VisitCallExpr(CallExpr *call) {
-    const FunctionDecl *callee = call->getDirectCallee();
-    if (!callee) return report("function-pointer", call->getBeginLoc(), "call"), true;
-    if (auto *ref = dyn_cast<DeclRefExpr>(call->getCallee()->IgnoreParenImpCasts())) called_.insert(ref);
-    std::string name = "'" + callee->getNameAsString() + "'";
-    if (mathCallee(callee, source_)) return true;
-    const FunctionDecl *def = source_.definition(callee);
-    if (!def) return report("unknown-function", call->getBeginLoc(), name), true;
-    callees_.insert(def);
+    Reach reach = calls_.reach(call);
+    settled(call->getCallee());
+    for (const Expr *arg : call->arguments())
+      if (Calls::isFunctionPointer(arg->getType())) settled(arg);
+    std::string name = reach.callee ? "'" + reach.callee->getNameAsString() + "'" : "'" + spelling(call) + "'";
+    switch (reach.kind) {
+    case Reach::Math:
+      break;
+    case Reach::Rule:
+      checkExternal(reach.callee, call);
+      break;
+    case Reach::Copy: // see TraverseCallExpr
+      break;
+    case Reach::Functions:
+      if (reach.choice && call->getType()->isVoidType() && !statements_.count(call)) report("unsupported", call->getBeginLoc(), name);
+      callees_.insert(reach.instances.begin(), reach.instances.end());
+      break;
+    case Reach::NoBody:
+      report("unknown-function", call->getBeginLoc(), name);
+      break;
+    case Reach::Unsettled:
+      report("function-pointer", call->getBeginLoc(), name);
+    }
     return true;
   }
 
 private:
+  // The functions named in an expression are known where it is used.
+  void settled(const Expr *e) {
+    if (const auto *ref = dyn_cast<DeclRefExpr>(e)) settled_.insert(ref);
+    for (const Stmt *part : e->children())
+      if (part && isa<Expr>(part)) settled(cast<Expr>(part));
+  }
+
+  static bool holdsFunction(QualType type) {
+    if (const auto *array = type->getAsArrayTypeUnsafe()) return holdsFunction(array->getElementType());
+    if (Calls::isFunctionPointer(type)) return true;
+    const auto *record = type->getAs<RecordType>();
+    const RecordDecl *def = record ? record->getDecl()->getDefinition() : nullptr;
+    return def && std::any_of(def->field_begin(), def->field_end(), [](const FieldDecl *f) { return holdsFunction(f->getType()); });
+  }
+
+  // An external function with a rule computes a number from numbers.
+  void checkExternal(const FunctionDecl *f, const CallExpr *call) {
+    auto isDouble = [](QualType type) { return type->isSpecificBuiltinType(BuiltinType::Double); };
+    bool fits = isDouble(f->getReturnType()) && f->getNumParams() >= 1 && f->getNumParams() <= maxRuleArguments;
+    for (const ParmVarDecl *param : f->parameters()) fits &= isDouble(param->getType());
+    if (!fits) report("rule-type", call->getBeginLoc(), "'" + f->getNameAsString() + "'");
+  }
+
+  // Expressions that stand as statements: nobody takes their value.
+  void noteStatement(const Stmt *s) {
+    while (s && (isa<LabelStmt>(s) || isa<SwitchCase>(s)))
+      s = isa<LabelStmt>(s) ? cast<LabelStmt>(s)->getSubStmt() : cast<SwitchCase>(s)->getSubStmt();
+    const auto *e = dyn_cast_or_null<Expr>(s);
+    if (!e) return;
+    const auto *cast = dyn_cast<CStyleCastExpr>(e->IgnoreParens());
+    if (cast && cast->getType()->isVoidType()) e = cast->getSubExpr();
+    if (const auto *call = dyn_cast<CallExpr>(e->IgnoreParenImpCasts())) statements_.insert(call);
+  }
+
+  void noteParts(const Stmt *s) {
+    if (const auto *branch = dyn_cast<IfStmt>(s)) noteStatement(branch->getThen()), noteStatement(branch->getElse());
+    if (const auto *loop = dyn_cast<ForStmt>(s)) noteStatement(loop->getBody());
+    if (const auto *loop = dyn_cast<WhileStmt>(s)) noteStatement(loop->getBody());
+    if (const auto *loop = dyn_cast<DoStmt>(s)) noteStatement(loop->getBody());
+  }
+
   // The id of the message that refuses a statement or expression; null where it is accepted.
   const char *refusedStmt(const Stmt *s) const {
     if (const auto *number = dyn_cast<FloatingLiteral>(s))
@@ -213,7 +286,7 @@ private:
   // const all the way down: no pointer to something that could be written.
   static bool deepConst(QualType type) {
     if (const auto *array = type->getAsArrayTypeUnsafe()) return deepConst(array->getElementType());
-    return type.isConstQualified() && !type->isPointerType();
+    return type.isConstQualified() && (!type->isPointerType() || Calls::isFunctionPointer(type));
   }
 
   void checkGlobal(const VarDecl *v, SourceLocation at) {
@@ -223,6 +296,7 @@ private:
     if (!def) return report("global-state", at, "constant " + name + " without a value");
     if (const char *id = refusedType(v->getType())) return report(id, at, name);
     if (!visitedGlobals_.insert(def).second) return;
+    if (holdsFunction(def->getType())) settled(def->getInit());
     TraverseStmt(const_cast<Expr *>(def->getInit()));
   }
 
@@ -240,8 +314,10 @@ private:
 
   const Source &source_;
   const ASTContext &context_;
-  std::set<const FunctionDecl *> &callees_;
-  std::set<const DeclRefExpr *> called_;
+  Calls calls_;
+  std::set<Instance> &callees_;
+  std::set<const DeclRefExpr *> settled_;
+  std::set<const Stmt *> statements_;
   std::set<const SwitchCase *> cases_;
   std::set<const GotoStmt *> jumps_;
   std::vector<const CompoundStmt *> blocks_;
@@ -253,31 +329,31 @@ public:
   Subset(const Source &source, const Match &match) : source_(source), match_(match) {}
 
   // Depth first, so that callees come before callers and a cycle meets itself on the stack.
-  void visit(const FunctionDecl *function) {
-    if (done_.count(function)) return;
-    auto cycle = std::find(stack_.begin(), stack_.end(), function);
+  void visit(const Instance &instance) {
+    const FunctionDecl *function = instance.function;
+    if (done_.count(instance)) return;
+    auto cycle = std::find_if(stack_.begin(), stack_.end(), [&](const Instance *f) { return !(*f < instance) && !(instance < *f); });
     if (cycle != stack_.end()) {
-      bool bounded = std::any_of(cycle, stack_.end(), [&](const FunctionDecl *f) { return match_.recursion.count(f) > 0; });
+      bool bounded = std::any_of(cycle, stack_.end(), [&](const Instance *f) { return match_.recursion.count(f->function) > 0; });
       if (!bounded)
         source_.report("recursion", function->getASTContext(), function->getLocation(), "'" + function->getNameAsString() + "'");
       return;
     }
-    stack_.push_back(function);
+    stack_.push_back(&instance);
     checkSignature(function);
-    std::set<const FunctionDecl *> callees;
-    Walker walker(source_, function, callees);
+    std::set<Instance> callees;
+    Walker walker(source_, match_, instance, callees);
     for (ParmVarDecl *param : function->parameters()) walker.VisitVarDecl(param);
     walker.TraverseStmt(function->getBody());
-    std::vector<const FunctionDecl *> ordered(callees.begin(), callees.end());
-    std::sort(ordered.begin(), ordered.end(),
-              [](const FunctionDecl *a, const FunctionDecl *b) { return a->getNameAsString() < b->getNameAsString(); });
-    for (const FunctionDecl *callee : ordered) visit(callee);
+    std::vector<Instance> ordered(callees.begin(), callees.end());
+    std::sort(ordered.begin(), ordered.end(), [](const Instance &a, const Instance &b) { return instanceName(a) < instanceName(b); });
+    for (const Instance &callee : ordered) visit(callee);
     stack_.pop_back();
-    done_.insert(function);
-    order.push_back(function);
+    done_.insert(instance);
+    order.push_back(instance);
   }
 
-  std::vector<const FunctionDecl *> order;
+  std::vector<Instance> order;
 
 private:
   void checkSignature(const FunctionDecl *f) {
@@ -295,20 +371,16 @@ private:
 
   const Source &source_;
   const Match &match_;
-  std::set<const FunctionDecl *> done_;
-  std::vector<const FunctionDecl *> stack_;
+  std::set<Instance> done_;
+  std::vector<const Instance *> stack_;
 };
 
 } // namespace
 
-const MathFunction *mathCallee(const clang::FunctionDecl *callee, const Source &source) {
-  if (source.definition(callee)) return nullptr;
-  return findMath(callee->getNameAsString());
-}
-
-std::vector<const clang::FunctionDecl *> checkSubset(const Source &source, const Match &match) {
+std::vector<Instance> checkSubset(const Source &source, const Match &match) {
   Subset subset(source, match);
-  for (const Matched &m : match.functions) subset.visit(m.function);
+  for (const Matched &m : match.functions)
+    subset.visit(Instance{m.function, std::vector<const FunctionDecl *>(m.function->getNumParams())});
   return subset.order;
 }
 

@@ -14,6 +14,9 @@ extern "C" {
 /* c = x, a constant: all other coefficients zero. */
 void tl_const(tl_ctx *cx, tl_real *c, tl_real x);
 
+/* c = n, a constant that is an integer: TL_NONFINITE where a tl_real does not hold it exactly. */
+void tl_integer(tl_ctx *cx, tl_real *c, long long n);
+
 /* c = x + t_i: the seed of variable i, 0 <= i < nvar. */
 void tl_seed(tl_ctx *cx, tl_real *c, tl_real x, int i);
 

@@ -10,11 +10,6 @@
 #include <stdlib.h>
 #include <string.h>
 
-/* Rounding of a jet function of some tens of operations, relative to the largest derivative of that order or below. The reference is
- * good for 1e-15 at least. */
-static const double DERIVATIVE_RTOL = 1e-12;
-/* A jet's value goes through the same operations as the plain C, in another grouping. */
-static const double VALUE_RTOL = 64 * DBL_EPSILON;
 /* The same coefficients by other products: rounding only. */
 static const double SHAPE_RTOL = 1e-12;
 
@@ -98,7 +93,7 @@ static void check_values(const checked *f, const double *x, const evaluation *e)
   plain_call(f->number, out, copy, copy + f->n, copy[2 * f->n]);
   for (int row = 0; row < f->rows; row++) {
     double actual = result(e, row)[0], scale = fmax(fabs(out[row]), 1.0);
-    if (!(fabs(actual - out[row]) <= VALUE_RTOL * scale)) fault(f, row, "value beside the plain C in double", 0, NULL, actual, out[row], scale);
+    if (!(fabs(actual - out[row]) <= plain_limits.value * scale)) fault(f, row, "value beside the plain C in double", 0, NULL, actual, out[row], scale);
   }
 }
 
@@ -127,7 +122,7 @@ static void check_order(const checked *f, const double *x, const evaluation *e, 
   do {
     for (int row = 0; row < f->rows; row++) {
       double actual = derivative(e, row, order, index);
-      if (!(fabs(actual - expected[number][row]) <= DERIVATIVE_RTOL * scale[row]))
+      if (!(fabs(actual - expected[number][row]) <= plain_limits.derivative * scale[row]))
         fault(f, row, order ? "derivative by" : "value beside the plain C in quad", order, index, actual, expected[number][row], scale[row]);
     }
     number++;

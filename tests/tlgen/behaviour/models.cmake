@@ -33,3 +33,12 @@ add_behaviour(variable_length DOF n LAGRANGIAN "out[0] = lagrangian(q, qd, &para
 add_behaviour(scalars DOF 2 LAGRANGIAN "out[0] = lagrangian(qd[0], q[0], q[1], qd[1], t)" FORCE "push(q[0], q[1], out)"
   ARGS q=x,y qd=xd,yd)
 add_behaviour(recursive DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, &params)" PARAMS "&params" RECURSION branch:depth even:6)
+add_behaviour(copies DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
+add_behaviour(callbacks DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)" RECURSION power:4)
+add_behaviour(steps DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
+add_behaviour(rules DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)" RULES rules_bump:rules_bump_taylor)
+target_sources(behaviour_rules PRIVATE rules_external.c)
+add_behaviour(mixed_structs DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
+# Single precision rounds each of some tens of operations, which the exact derivatives do not see; its functions differ from library to library.
+add_behaviour(floats DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)" RTOL 1e-5)
+add_behaviour(float_functions DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)" RTOL 1e-5 VALUE_RTOL 1e-6)

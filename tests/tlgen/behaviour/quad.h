@@ -32,6 +32,24 @@ extern __float128 fminq(__float128, __float128);
 extern __float128 fmaxq(__float128, __float128);
 extern __float128 copysignq(__float128, __float128);
 extern __float128 fmaq(__float128, __float128, __float128);
+extern __float128 floorq(__float128);
+extern __float128 ceilq(__float128);
+extern __float128 truncq(__float128);
+extern __float128 roundq(__float128);
+extern __float128 rintq(__float128);
+extern __float128 nearbyintq(__float128);
+extern __float128 erfcq(__float128);
+extern __float128 tgammaq(__float128);
+extern __float128 lgammaq(__float128);
+extern __float128 fmodq(__float128, __float128);
+extern __float128 remainderq(__float128, __float128);
+extern __float128 fdimq(__float128, __float128);
+extern __float128 ldexpq(__float128, int);
+extern __float128 scalbnq(__float128, int);
+extern long lroundq(__float128);
+extern int isnanq(__float128);
+extern int finiteq(__float128);
+extern int signbitq(__float128);
 
 #define double __float128
 #define sqrt sqrtq
@@ -64,5 +82,73 @@ extern __float128 fmaq(__float128, __float128, __float128);
 #define fmax fmaxq
 #define copysign copysignq
 #define fma fmaq
+#define floor floorq
+#define ceil ceilq
+#define trunc truncq
+#define round roundq
+#define rint rintq
+#define nearbyint nearbyintq
+#define erfc erfcq
+#define tgamma tgammaq
+#define lgamma lgammaq
+#define fmod fmodq
+#define remainder remainderq
+#define fdim fdimq
+#define ldexp ldexpq
+#define scalbn scalbnq
+#define lround lroundq
+#undef isnan
+#define isnan isnanq
+#undef isfinite
+#define isfinite finiteq
+#undef signbit
+#define signbit signbitq
+
+/* Single precision too: the exact derivatives are those without its rounding. */
+#define float __float128
+#define sqrtf sqrtq
+#define cbrtf cbrtq
+#define expf expq
+#define expm1f expm1q
+#define exp2f exp2q
+#define logf logq
+#define log1pf log1pq
+#define log2f log2q
+#define log10f log10q
+#define sinf sinq
+#define cosf cosq
+#define tanf tanq
+#define asinf asinq
+#define acosf acosq
+#define atanf atanq
+#define sinhf sinhq
+#define coshf coshq
+#define tanhf tanhq
+#define asinhf asinhq
+#define acoshf acoshq
+#define atanhf atanhq
+#define erff erfq
+#define fabsf fabsq
+#define atan2f atan2q
+#define powf powq
+#define hypotf hypotq
+#define fminf fminq
+#define fmaxf fmaxq
+#define copysignf copysignq
+#define fmaf fmaq
+#define floorf floorq
+#define ceilf ceilq
+#define truncf truncq
+#define roundf roundq
+#define rintf rintq
+#define nearbyintf nearbyintq
+#define erfcf erfcq
+#define tgammaf tgammaq
+#define lgammaf lgammaq
+#define fmodf fmodq
+#define remainderf remainderq
+#define fdimf fdimq
+#define ldexpf ldexpq
+#define scalbnf scalbnq
 
 #endif

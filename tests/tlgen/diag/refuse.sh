@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# tlgen refuses a source with exactly the messages that it announces, and leaves no file behind.
+# tlgen answers a source with exactly the messages that it announces; where one is an error, it leaves no file behind.
 #   refuse.sh TLGEN SOURCE
 # The source says  /* tlgen: ARGUMENTS */  once (default: --lagrangian L --dof 1), and  /* expect: ID .. */  on each line at fault;
-# /* expect without a line: ID .. */ is for faults of the command line.
+# /* expect without a line: ID .. */ is for faults of the command line, /* warns: ID .. */ for warnings.
 set -euo pipefail
 tlgen=$1 source=$2
 work=$(mktemp -d)
@@ -14,6 +14,7 @@ read -ra arguments <<<"${arguments:---lagrangian L --dof 1}"
 {
   sed -n 's|^.*/\* expect without a line: \(.*\) \*/.*$|0 \1|p' "$source"
   sed -n '/\/\* expect: /{=;p}' "$source" | sed 'N;s|^\([0-9]*\)\n.*/\* expect: \(.*\) \*/.*$|\1 \2|'
+  sed -n '/\/\* warns: /{=;p}' "$source" | sed 'N;s|^\([0-9]*\)\n.*/\* warns: \(.*\) \*/.*$|\1 \2|'
 } | while read -r line ids; do for id in $ids; do echo "$line $id"; done; done | sort -u >"$work/expected"
 
 cd "$work"
@@ -21,15 +22,19 @@ status=0
 "$tlgen" "$source" "${arguments[@]}" --model m -o out.c -MD -- -std=c11 2>messages >printed || status=$?
 
 # FILE:LINE:COLUMN: error: TEXT [ID], or FILE: error: TEXT [ID]
-sed -n 's|^[^ ]*\.c: error: .* \[\([a-z-]*\)\]$|0 \1|p; s|^tlgen: error: .* \[\([a-z-]*\)\]$|0 \1|p; s|^[^ ]*:\([0-9]*\):[0-9]*: error: .* \[\([a-z-]*\)\]$|\1 \2|p' \
+sed -n 's|^[^ ]*\.c: error: .* \[\([a-z-]*\)\]$|0 \1|p; s|^tlgen: error: .* \[\([a-z-]*\)\]$|0 \1|p; s#^[^ ]*:\([0-9]*\):[0-9]*: \(error\|warning\): .* \[\([a-z-]*\)\]$#\1 \3#p' \
   messages | sort -u >found
 
 failed=0
-[ "$status" = 1 ] || { echo "exit status $status, not 1"; failed=1; }
+wanted=0
+grep -q '/\* expect' "$source" && wanted=1
+[ "$status" = $wanted ] || { echo "exit status $status, not $wanted"; failed=1; }
 diff -u "$work/expected" found || { echo "- expected, + found (line, id)"; failed=1; }
-grep -q error messages && [ "$(grep -c '^  instead: ' messages)" -ge "$(wc -l <found)" ] || { echo "a message without a way out"; failed=1; }
-left=$(ls | grep -vE '^(expected|found|messages|printed)$' || true)
-[ -z "$left" ] || { echo "left behind: $left"; failed=1; }
+grep -qE '(error|warning): ' messages && [ "$(grep -c '^  instead: ' messages)" -ge "$(wc -l <found)" ] || { echo "a message without a way out"; failed=1; }
+left=$(ls | { grep -vE '^(expected|found|messages|printed)$' || true; } | paste -sd ' ')
+written=
+[ $wanted = 1 ] || written="out.c out.c.d out.h"
+[ "$left" = "$written" ] || { echo "left behind: $left"; failed=1; }
 [ ! -s printed ] || { echo "something on stdout"; failed=1; }
 [ $failed = 0 ] || cat messages
 exit $failed

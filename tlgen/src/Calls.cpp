@@ -1,0 +1,252 @@
+// What a call in the source reaches.
+#include "Calls.h"
+
+#include "clang/AST/ASTContext.h"
+#include "clang/AST/RecursiveASTVisitor.h"
+
+#include <algorithm>
+
+namespace tlgen {
+namespace {
+
+namespace c = clang;
+
+// The variables that a function assigns or whose address it takes.
+class Changes : public c::RecursiveASTVisitor<Changes> {
+public:
+  explicit Changes(std::set<const c::VarDecl *> &changed) : changed_(changed) {}
+
+  bool VisitBinaryOperator(c::BinaryOperator *op) { return op->isAssignmentOp() ? note(op->getLHS()) : true; }
+  bool VisitUnaryOperator(c::UnaryOperator *op) {
+    return op->isIncrementDecrementOp() || op->getOpcode() == c::UO_AddrOf ? note(op->getSubExpr()) : true;
+  }
+
+private:
+  bool note(const c::Expr *e) {
+    if (const auto *ref = llvm::dyn_cast<c::DeclRefExpr>(e->IgnoreParens()))
+      if (const auto *v = llvm::dyn_cast<c::VarDecl>(ref->getDecl())) changed_.insert(v);
+    return true;
+  }
+
+  std::set<const c::VarDecl *> &changed_;
+};
+
+const c::Expr *bare(const c::Expr *e) {
+  for (;;) {
+    e = e->IgnoreParens();
+    if (const auto *constant = llvm::dyn_cast<c::ConstantExpr>(e)) {
+      e = constant->getSubExpr();
+      continue;
+    }
+    const auto *cast = llvm::dyn_cast<c::CastExpr>(e);
+    bool same = cast && (cast->getCastKind() == c::CK_LValueToRValue || cast->getCastKind() == c::CK_NoOp ||
+                         cast->getCastKind() == c::CK_FunctionToPointerDecay || cast->getCastKind() == c::CK_ArrayToPointerDecay ||
+                         cast->getCastKind() == c::CK_BuiltinFnToFnPtr);
+    if (!same) return e;
+    e = cast->getSubExpr();
+  }
+}
+
+// The item of an initialiser list, null where it is left out.
+const c::Expr *item(const c::Expr *list, unsigned i) {
+  const auto *items = llvm::dyn_cast<c::InitListExpr>(bare(list));
+  if (!items) return nullptr;
+  if (const c::InitListExpr *meaning = items->getSemanticForm()) items = meaning;
+  return i < items->getNumInits() && !llvm::isa<c::ImplicitValueInitExpr>(items->getInit(i)) ? items->getInit(i) : nullptr;
+}
+
+// The type of the numbers or structs that an object or array of them consists of.
+c::QualType numbersOf(c::QualType type) {
+  while (const auto *array = type->getAsArrayTypeUnsafe()) type = array->getElementType();
+  return type.getCanonicalType().getUnqualifiedType();
+}
+
+// What stands behind a pointer before it became a void pointer.
+const c::Expr *withoutVoid(const c::Expr *pointer) {
+  while (const auto *cast = llvm::dyn_cast<c::CastExpr>(pointer->IgnoreParens())) {
+    bool toVoid = cast->getCastKind() == c::CK_BitCast && cast->getType()->isVoidPointerType();
+    if (!toVoid && cast->getCastKind() != c::CK_NoOp) break;
+    pointer = cast->getSubExpr();
+  }
+  return pointer->IgnoreParens();
+}
+
+// bytes = number * factor * size of an element; false where it is nothing of the kind.
+bool countElements(const c::Expr *bytes, const c::ASTContext &context, int64_t size, BulkCopy &copy) {
+  bytes = bytes->IgnoreParenImpCasts();
+  c::Expr::EvalResult value;
+  if (bytes->EvaluateAsInt(value, context)) {
+    int64_t n = value.Val.getInt().getExtValue();
+    copy.number = static_cast<long>(n / size);
+    return n >= 0 && n % size == 0;
+  }
+  const auto *product = llvm::dyn_cast<c::BinaryOperator>(bytes);
+  if (!product || product->getOpcode() != c::BO_Mul) return false;
+  for (const c::Expr *side : {product->getLHS(), product->getRHS()})
+    if (side->EvaluateAsInt(value, context) && value.Val.getInt().getExtValue() > 0 && value.Val.getInt().getExtValue() % size == 0) {
+      copy.number = static_cast<long>(value.Val.getInt().getExtValue() / size);
+      copy.factor = side == product->getLHS() ? product->getRHS() : product->getLHS();
+      return true;
+    }
+  return false;
+}
+
+std::optional<BulkCopy> bulkCopy(const c::CallExpr *call, const std::string &name) {
+  const c::ASTContext &context = call->getDirectCallee()->getASTContext();
+  BulkCopy copy;
+  copy.overlap = name == "memmove";
+  copy.to = withoutVoid(call->getArg(0));
+  if (!copy.to->getType()->isPointerType() && !copy.to->getType()->isArrayType()) return {};
+  c::QualType pointee = copy.to->getType()->getPointeeType();
+  copy.element = numbersOf(pointee);
+  if (name == "memset") {
+    c::Expr::EvalResult value;
+    if (!call->getArg(1)->EvaluateAsInt(value, context) || value.Val.getInt() != 0) return {};
+  } else {
+    copy.from = withoutVoid(call->getArg(1));
+    if (!copy.from->getType()->isPointerType() || numbersOf(copy.from->getType()->getPointeeType()) != copy.element) return {};
+  }
+  bool whole = copy.element->isArithmeticType() || copy.element->isStructureType();
+  if (!whole || copy.element->isIncompleteType() || copy.element->isAnyCharacterType()) return {};
+  if (!countElements(call->getArg(2), context, context.getTypeSizeInChars(copy.element).getQuantity(), copy)) return {};
+  return copy;
+}
+
+} // namespace
+
+std::string instanceName(const Instance &instance) {
+  std::string name = instance.function->getNameAsString();
+  for (const c::FunctionDecl *bound : instance.bound)
+    if (bound) name += "_" + bound->getNameAsString();
+  return name;
+}
+
+Calls::Calls(const Source &source, const Match &match, const Instance &caller) : source_(source), match_(match), caller_(caller) {
+  if (caller.function->hasBody()) Changes(changed_).TraverseStmt(caller.function->getBody());
+}
+
+// True where a variable has its first value for good.
+bool Calls::keepsValue(const c::VarDecl *v) const {
+  c::QualType type = v->getType();
+  while (const auto *array = type->getAsArrayTypeUnsafe()) type = array->getElementType();
+  return v->getInit() && (type.isConstQualified() || (isFunctionPointer(v->getType()) && v->hasLocalStorage() && !changed_.count(v)));
+}
+
+// The initialisers of what an lvalue may name.
+Calls::Settled Calls::objects(const c::Expr *lvalue) const {
+  Settled s;
+  const c::Expr *e = bare(lvalue);
+  if (const auto *ref = llvm::dyn_cast<c::DeclRefExpr>(e)) {
+    const auto *v = llvm::dyn_cast<c::VarDecl>(ref->getDecl());
+    if (const c::VarDecl *def = v ? v->getInitializingDeclaration() : nullptr)
+      if (keepsValue(def))
+        s = def->getType()->isRecordType() && !llvm::isa<c::InitListExpr>(bare(def->getInit()))
+                ? objects(def->getInit())
+                : Settled{nullptr, false, {def->getInit()}};
+  } else if (const auto *member = llvm::dyn_cast<c::MemberExpr>(e)) {
+    const auto *field = llvm::dyn_cast<c::FieldDecl>(member->getMemberDecl());
+    if (!field || member->isArrow()) return {};
+    s = objects(member->getBase());
+    for (const c::Expr *&value : s.values) value = item(value, field->getFieldIndex());
+  } else if (const auto *sub = llvm::dyn_cast<c::ArraySubscriptExpr>(e)) {
+    s = objects(sub->getBase());
+    c::Expr::EvalResult index;
+    if (sub->getIdx()->EvaluateAsInt(index, caller_.function->getASTContext())) {
+      for (const c::Expr *&value : s.values) value = item(value, static_cast<unsigned>(index.Val.getInt().getExtValue()));
+    } else if (s.values.size() == 1 && !s.choice && !sub->getIdx()->HasSideEffects(caller_.function->getASTContext())) {
+      const auto *list = llvm::dyn_cast<c::InitListExpr>(bare(s.values[0]));
+      s.values.clear();
+      s.choice = sub->getIdx();
+      for (unsigned i = 0; list && i < list->getNumInits(); ++i) s.values.push_back(item(list, i));
+    } else {
+      return {};
+    }
+  }
+  if (std::find(s.values.begin(), s.values.end(), nullptr) != s.values.end()) return {};
+  return s;
+}
+
+Calls::Settled Calls::settle(const c::Expr *e) const {
+  e = bare(e);
+  if (const auto *op = llvm::dyn_cast<c::UnaryOperator>(e))
+    return op->getOpcode() == c::UO_AddrOf || op->getOpcode() == c::UO_Deref ? settle(op->getSubExpr()) : Settled{};
+  if (const auto *choice = llvm::dyn_cast<c::ConditionalOperator>(e)) {
+    Settled s;
+    if (choice->getCond()->HasSideEffects(caller_.function->getASTContext())) return s;
+    s.choice = choice->getCond();
+    s.isCondition = true;
+    s.values = {choice->getTrueExpr(), choice->getFalseExpr()};
+    return s;
+  }
+  if (const auto *ref = llvm::dyn_cast<c::DeclRefExpr>(e))
+    if (llvm::isa<c::FunctionDecl>(ref->getDecl()) || llvm::isa<c::ParmVarDecl>(ref->getDecl())) return {nullptr, false, {e}};
+  Settled s = objects(e);
+  if (s.values.size() == 1 && !s.choice) return settle(s.values[0]);
+  return s;
+}
+
+// The one function that an expression is; null where there is none.
+const c::FunctionDecl *Calls::function(const c::Expr *e) const {
+  const auto *ref = llvm::dyn_cast<c::DeclRefExpr>(bare(e));
+  if (!ref) {
+    Settled s = settle(e);
+    return s.values.size() == 1 && !s.choice && bare(s.values[0]) != bare(e) ? function(s.values[0]) : nullptr;
+  }
+  if (const auto *f = llvm::dyn_cast<c::FunctionDecl>(ref->getDecl())) return f;
+  if (const auto *param = llvm::dyn_cast<c::ParmVarDecl>(ref->getDecl())) {
+    bool own = !changed_.count(param) && param->getDeclContext() == caller_.function;
+    return own && !caller_.bound.empty() ? caller_.bound[param->getFunctionScopeIndex()] : nullptr;
+  }
+  Settled s = settle(e);
+  return s.values.size() == 1 && !s.choice && bare(s.values[0]) != ref ? function(s.values[0]) : nullptr;
+}
+
+Reach Calls::reachFunction(const c::FunctionDecl *callee, const c::CallExpr *call) const {
+  Reach r;
+  r.callee = callee;
+  r.rule = ruleOf(callee, match_);
+  std::string name = callee->getNameAsString();
+  const c::FunctionDecl *definition = source_.definition(callee);
+  bool copies = mathName(name) == "memcpy" || mathName(name) == "memmove" || mathName(name) == "memset";
+  if (!r.rule.empty())
+    r.kind = Reach::Rule;
+  else if (!definition && findMath(name))
+    r.kind = Reach::Math;
+  else if (!definition && copies && call->getNumArgs() == 3)
+    r.kind = Reach::Copy, r.copy = bulkCopy(call, mathName(name));
+  else if (!definition)
+    r.kind = Reach::NoBody;
+  else {
+    Instance instance{definition, {}};
+    for (unsigned i = 0; i < definition->getNumParams(); ++i) {
+      bool isFunction = isFunctionPointer(definition->getParamDecl(i)->getType());
+      const c::FunctionDecl *bound = isFunction && i < call->getNumArgs() ? function(call->getArg(i)) : nullptr;
+      if (isFunction && !bound) return {};
+      instance.bound.push_back(bound);
+    }
+    r.kind = Reach::Functions;
+    r.instances = {instance};
+  }
+  return r;
+}
+
+Reach Calls::reach(const c::CallExpr *call) const {
+  Settled s = settle(call->getCallee());
+  if (s.values.size() == 1 && !s.choice) {
+    const c::FunctionDecl *callee = function(s.values[0]);
+    return callee ? reachFunction(callee, call) : Reach{};
+  }
+  Reach all;
+  for (const c::Expr *value : s.values) {
+    const c::FunctionDecl *callee = function(value);
+    Reach one = callee ? reachFunction(callee, call) : Reach{};
+    if (one.kind != Reach::Functions) return one.kind == Reach::NoBody ? one : Reach{};
+    all.kind = Reach::Functions;
+    all.instances.push_back(one.instances[0]);
+  }
+  all.choice = s.choice;
+  all.choiceIsCondition = s.isCondition;
+  return all;
+}
+
+} // namespace tlgen
