@@ -39,6 +39,6 @@ add_behaviour(steps DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
 add_behaviour(rules DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)" RULES rules_bump:rules_bump_taylor)
 target_sources(behaviour_rules PRIVATE rules_external.c)
 add_behaviour(mixed_structs DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
-# Single precision rounds each of some tens of operations, which the exact derivatives do not see; its functions differ from library to library.
-add_behaviour(floats DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)" RTOL 1e-5)
-add_behaviour(float_functions DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)" RTOL 1e-5 VALUE_RTOL 1e-6)
+add_behaviour(floats SINGLE DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
+# its functions differ from library to library
+add_behaviour(float_functions SINGLE VALUE_RTOL 1e-6 DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")

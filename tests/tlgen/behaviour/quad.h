@@ -104,7 +104,8 @@ extern int signbitq(__float128);
 #undef signbit
 #define signbit signbitq
 
-/* Single precision too: the exact derivatives are those without its rounding. */
+/* Single precision that depends on the coordinates: the exact derivatives are those without its rounding. */
+#ifdef QUAD_SINGLE
 #define float __float128
 #define sqrtf sqrtq
 #define cbrtf cbrtq
@@ -150,5 +151,6 @@ extern int signbitq(__float128);
 #define fdimf fdimq
 #define ldexpf ldexpq
 #define scalbnf scalbnq
+#endif
 
 #endif
