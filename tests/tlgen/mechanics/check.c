@@ -206,5 +206,6 @@ int main(int argc, char **argv) {
     e = no_errors();
   }
   eom_system_destroy(sys);
+  reference_free(&r);
   return faults ? EXIT_FAILURE : EXIT_SUCCESS;
 }

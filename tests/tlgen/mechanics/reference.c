@@ -48,6 +48,14 @@ reference reference_read(const char *path) {
   return r;
 }
 
+void reference_free(reference *r) {
+  for (int i = 0; i < r->npoint; i++) {
+    for (int k = 0; k < r->points[i].nblock; k++) free(r->points[i].blocks[k].numbers);
+    free(r->points[i].state);
+  }
+  free(r->points);
+}
+
 const block *reference_block(const point *p, const char *name) {
   for (int i = 0; i < p->nblock; i++)
     if (strcmp(p->blocks[i].name, name) == 0) return &p->blocks[i];

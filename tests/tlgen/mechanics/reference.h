@@ -24,8 +24,9 @@ typedef struct reference {
   point *points;
 } reference;
 
-/* Ends the program where the file cannot be read. The memory is the program's until its end. */
+/* Ends the program where the file cannot be read. */
 reference reference_read(const char *path);
+void reference_free(reference *r);
 
 /* The block of that name; ends the program where there is none. */
 const block *reference_block(const point *p, const char *name);
