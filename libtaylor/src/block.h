@@ -75,7 +75,9 @@ tl_real tl_normaliser(tl_real x);
  *   tl_product_blocks    c = a b                   without the value; c may be a or b
  *   tl_square_blocks     c = x a^2                 without the value; c may not be a
  *   tl_horner_step       c = c (h - h[0]) + f      with the value, in the blocks of weight at most top; c may not be h
- *   tl_compose_blocks    c = sum f_k (a - a[0])^k  with the value, k = 0..top <= degree; uses scratch jet i; c may be a */
+ *   tl_compose_blocks    c = sum f_k (a - a[0])^k  with the value, k = 0..top <= degree; uses scratch jet i; c may be a
+ *   tl_compose_n_blocks  c = sum f_alpha prod (args_i - args_i[0])^alpha_i with the value, |alpha| <= degree, places as tl_rule_index;
+ *                        uses scratch jets 0..nargs-1, which args may not be; c may be any of args */
 void tl_exp_blocks(const tl_shape *s, tl_real *c, tl_real u, const tl_real *a);
 void tl_integral_blocks(const tl_shape *s, tl_real *c, tl_real x, const tl_real *g, const tl_real *a);
 void tl_power_blocks(const tl_shape *s, tl_real *c, tl_real p, tl_real q, const tl_real *a);
@@ -83,5 +85,6 @@ void tl_product_blocks(const tl_shape *s, tl_real *c, const tl_real *a, const tl
 void tl_square_blocks(const tl_shape *s, tl_real *c, tl_real x, const tl_real *a);
 void tl_horner_step(const tl_shape *s, tl_real *c, const tl_real *h, tl_real f, int top);
 void tl_compose_blocks(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *f, int top, int i);
+void tl_compose_n_blocks(tl_ctx *cx, tl_real *c, int nargs, const tl_real *const *args, const tl_real *f);
 
 #endif

@@ -74,38 +74,6 @@ void tl_atan(tl_ctx *cx, tl_real *c, const tl_real *a) {
   integrate_power(cx, c, value, scale, TL_C(1.0), sum_of_squares(scale, scale * a[0]), -TL_C(1.0), TL_FN_atan);
 }
 
-/* (x^2 + y^2) E angle = x E y - y E x:
- *     |B| d_0 c_B = |B| (x_0 y_B - y_0 x_B) + sum_{B1,B2>0} (|B2| - |B1|) x_B1 y_B2 - |B1| c_B1 d_B2,    d = x^2 + y^2,
- * with both sides scaled to about 1, which leaves the angle as it is. */
-void tl_atan2(tl_ctx *cx, tl_real *c, const tl_real *y, const tl_real *x) {
-  const tl_shape *s = cx->shape;
-  if (!tl_accept(cx, c, y[0], TL_FN_atan2) || !tl_accept(cx, c, x[0], TL_FN_atan2)) return;
-  const tl_real value = TL_LIBM(atan2)(y[0], x[0]), size = TL_LIBM(fmax)(TL_LIBM(fabs)(x[0]), TL_LIBM(fabs)(y[0]));
-  if (size == TL_C(0.0) && s->degree > 0) {
-    tl_reject(cx, c, TL_SINGULAR, TL_FN_atan2);
-    return;
-  }
-  const tl_real scale = tl_normaliser(size);
-  tl_real *u = tl_scratch(cx, 0), *v = tl_scratch(cx, 1), *d = tl_scratch(cx, 2);
-  for (int i = 0; i < s->ncoef; i++) {
-    u[i] = scale * x[i];
-    v[i] = scale * y[i];
-  }
-  c[0] = value;
-  d[0] = u[0] * u[0] + v[0] * v[0];
-  tl_square_blocks(s, d, TL_C(1.0), u);
-  for (tl_block b = tl_first_block(s); b.n; b = tl_next_block(s, b)) {
-    const tl_real w = (tl_real)b.weight;
-    tl_add_interior(s, b, d + b.at, (tl_factor){.z = TL_C(1.0)}, v, v);
-    tl_row_add(b.n, d + b.at, TL_C(2.0) * v[0], v + b.at);
-    tl_row_combine(b.n, c + b.at, w * u[0], v + b.at, -w * v[0], u + b.at);
-    tl_add_interior(s, b, c + b.at, (tl_factor){.u = -TL_C(1.0), .v = TL_C(1.0)}, u, v);
-    tl_add_interior(s, b, c + b.at, (tl_factor){.u = -TL_C(1.0)}, c, d);
-    tl_row_divide(b.n, c + b.at, w * d[0]);
-  }
-  tl_check(cx, c, TL_FN_atan2);
-}
-
 /* E asinh(a) = E a / sqrt(1 + a^2) = E x / sqrt(scale^2 + x^2) with x = scale a. */
 void tl_asinh(tl_ctx *cx, tl_real *c, const tl_real *a) {
   if (!tl_accept(cx, c, a[0], TL_FN_asinh)) return;

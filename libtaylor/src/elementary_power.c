@@ -1,4 +1,4 @@
-/* Roots, powers with a constant exponent, products with a power of two, the length of a vector, and fma. */
+/* Roots, powers with a constant exponent, products with a power of two, and fma. */
 #include "block.h"
 #include "taylor/elementary.h"
 #include "wide.h"
@@ -101,61 +101,6 @@ void tl_powi(tl_ctx *cx, tl_real *c, const tl_real *a, int n) {
   const tl_real x = (tl_real)n;
   assert((long long)x == n); /* single precision does not hold every int */
   tl_powc(cx, c, a, x);
-}
-
-/* The length r and the angle of (a,b) with its unit vector (u,v) = (a,b)/r carried along:
- *     E r = u E a + v E b,    r E angle = u E b - v E a,    E u = -v E angle,    E v = u E angle.
- * Unlike r = sqrt(a^2 + b^2) this squares nothing, and loses no digits where one side is much longer than the other. From the values of
- * r, u and v; r may be neither a nor b. */
-static void polar_blocks(const tl_shape *s, tl_real *r, tl_real *angle, tl_real *u, tl_real *v, const tl_real *a, const tl_real *b) {
-  const tl_factor first = {.u = TL_C(1.0)}, minus_first = {.u = -TL_C(1.0)};
-  for (tl_block B = tl_first_block(s); B.n; B = tl_next_block(s, B)) {
-    const int n = B.n, at = B.at;
-    tl_row_zero(n, r + at);
-    tl_add_interior(s, B, r + at, first, a, u);
-    tl_add_interior(s, B, r + at, first, b, v);
-    tl_row_divide_weight(n, r + at, B.weight);
-    tl_row_add(n, r + at, u[0], a + at);
-    tl_row_add(n, r + at, v[0], b + at);
-
-    tl_row_zero(n, angle + at);
-    tl_add_interior(s, B, angle + at, first, b, u);
-    tl_add_interior(s, B, angle + at, minus_first, a, v);
-    tl_add_interior(s, B, angle + at, minus_first, angle, r);
-    tl_row_divide_weight(n, angle + at, B.weight);
-    tl_row_add(n, angle + at, u[0], b + at);
-    tl_row_add(n, angle + at, -v[0], a + at);
-    tl_row_divide(n, angle + at, r[0]);
-
-    tl_row_zero(n, u + at);
-    tl_add_interior(s, B, u + at, minus_first, angle, v);
-    tl_row_divide_weight(n, u + at, B.weight);
-    tl_row_add(n, u + at, -v[0], angle + at);
-
-    tl_row_zero(n, v + at);
-    tl_add_interior(s, B, v + at, first, angle, u);
-    tl_row_divide_weight(n, v + at, B.weight);
-    tl_row_add(n, v + at, u[0], angle + at);
-  }
-}
-
-void tl_hypot(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
-  if (!tl_accept(cx, c, a[0], TL_FN_hypot) || !tl_accept(cx, c, b[0], TL_FN_hypot)) return;
-  const tl_real value = TL_LIBM(hypot)(a[0], b[0]);
-  if (value == TL_C(0.0) && cx->shape->degree > 0) {
-    tl_reject(cx, c, TL_SINGULAR, TL_FN_hypot);
-    return;
-  }
-  const tl_real *x = tl_unaliased(cx, a, c, 0), *y = a == b ? x : tl_unaliased(cx, b, c, 1);
-  tl_real *angle = tl_scratch(cx, 2), *u = tl_scratch(cx, 3), *v = tl_scratch(cx, 4);
-  const tl_real scale = tl_normaliser(TL_LIBM(fmax)(TL_LIBM(fabs)(x[0]), TL_LIBM(fabs)(y[0])));
-  const tl_real length = TL_LIBM(hypot)(scale * x[0], scale * y[0]);
-  u[0] = scale * x[0] / length;
-  v[0] = scale * y[0] / length;
-  angle[0] = TL_C(0.0); /* only its derivatives are used */
-  c[0] = value;
-  polar_blocks(cx->shape, c, angle, u, v, x, y);
-  tl_check(cx, c, TL_FN_hypot);
 }
 
 void tl_fma(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b, const tl_real *d) {

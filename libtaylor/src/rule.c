@@ -1,4 +1,4 @@
-/* Functions with a rule of the user's. */
+/* Functions with a rule of the user's, and the composition with a series in several variables. */
 #include "taylor/rule.h"
 #include "block.h"
 
@@ -61,6 +61,12 @@ static tl_real *sum_part(polynomial *p, int i, int used) {
   return c;
 }
 
+void tl_compose_n_blocks(tl_ctx *cx, tl_real *c, int nargs, const tl_real *const *args, const tl_real *f) {
+  polynomial p = {.cx = cx, .nargs = nargs, .args = args, .f = f};
+  const tl_real *sum = sum_part(&p, nargs - 1, 0);
+  for (int i = 0; i < cx->shape->ncoef; i++) c[i] = sum[i];
+}
+
 void tl_apply_n(tl_ctx *cx, tl_real *c, int nargs, const tl_real *const *args, tl_rule_n *rule, const void *user) {
   tl_real f[TL_RULE_MAX], x[TL_RULE_ARGS];
   const int degree = cx->shape->degree;
@@ -80,8 +86,6 @@ void tl_apply_n(tl_ctx *cx, tl_real *c, int nargs, const tl_real *const *args, t
     tl_reject(cx, c, bits, TL_FN_compose);
     return;
   }
-  polynomial p = {.cx = cx, .nargs = nargs, .args = args, .f = f};
-  const tl_real *sum = sum_part(&p, nargs - 1, 0);
-  for (int i = 0; i < cx->shape->ncoef; i++) c[i] = sum[i];
+  tl_compose_n_blocks(cx, c, nargs, args, f);
   tl_check(cx, c, TL_FN_compose);
 }
