@@ -1,6 +1,7 @@
 /* Exponentials, logarithms, powers with a variable exponent, and the integral of exp(-a^2). */
 #include "block.h"
 #include "taylor/elementary.h"
+#include "wide.h"
 
 static const tl_real LN2 = TL_C(0.693147180559945309417232121458);
 static const tl_real INV_LN2 = TL_C(1.442695040888963407359924681002);
@@ -89,9 +90,30 @@ static int is_constant(const tl_shape *s, const tl_real *a) {
   return 1;
 }
 
+enum { NPLACE = (TL_WIDE_DEGREE + 1) * (TL_WIDE_DEGREE + 2) / 2 };
+
+/* The coefficients of h^i g^j of a_0^(y+g) (1 + h/x)^(y+g) at their places i + j = n, n(n+1)/2 + j: value e_j b_i with
+ *     e = exp(g log a_0),   b_i = binomial(y+g, i) x^-i = b_(i-1) (y - i + 1 + g)/(i x),   polynomials in g. */
+static void power_series(tl_real *f, int degree, tl_real x, tl_real y, tl_real logarithm_of_base, tl_real value) {
+  tl_wide e[TL_WIDE_DEGREE + 1] = {tl_widen(value)}, b[TL_WIDE_DEGREE + 1] = {tl_widen(TL_C(1.0))};
+  for (int j = 1; j <= degree; j++) e[j] = tl_wide_div(tl_wide_mul(e[j - 1], tl_widen(logarithm_of_base)), tl_widen((tl_real)j));
+  for (int i = 0; i <= degree; i++) {
+    for (int j = 0, n = i; n <= degree; j++, n++) {
+      tl_wide sum = tl_wide_mul(b[0], e[j]);
+      for (int k = 1; k <= i && k <= j; k++) sum = tl_wide_add(sum, tl_wide_mul(b[k], e[j - k]));
+      f[n * (n + 1) / 2 + j] = tl_narrow(sum);
+    }
+    if (i == degree) return;
+    const tl_wide rest = tl_wide_sum(y, -(tl_real)i), over = tl_wide_div(tl_widen(TL_C(1.0)), tl_wide_product((tl_real)(i + 1), x));
+    b[i + 1] = tl_widen(TL_C(0.0));
+    for (int k = i + 1; k > 0; k--) b[k] = tl_wide_mul(tl_wide_add(tl_wide_mul(b[k], rest), b[k - 1]), over);
+    b[0] = tl_wide_mul(tl_wide_mul(b[0], rest), over);
+  }
+}
+
 /* a^b = a^(b_0) exp((b - b_0) log a): the first factor by the recurrence of a constant exponent, the second from a jet without value,
  * so that powers of b_0 and of log a_0 do not cancel. a_0 > 0. */
-static void power(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b, tl_real value) {
+static void power_by_recurrence(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b, tl_real value) {
   const tl_shape *s = cx->shape;
   const tl_real scale = tl_normaliser(a[0]), exponent = b[0];
   tl_real *l = tl_scratch(cx, 1), *h = tl_scratch(cx, 2), *x = tl_scratch(cx, 3), *factor = tl_scratch(cx, 4),
@@ -109,6 +131,19 @@ static void power(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b, tl
   tl_power_blocks(s, base, exponent, TL_C(1.0), x);
   tl_product_blocks(s, c, base, factor);
   c[0] = value;
+  tl_check(cx, c, TL_FN_pow);
+}
+
+static void power(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b, tl_real value) {
+  if (cx->shape->degree > TL_WIDE_DEGREE) {
+    power_by_recurrence(cx, c, a, b, value);
+    return;
+  }
+  tl_real f[NPLACE], *x = tl_scratch(cx, 2);
+  const tl_real scale = tl_normaliser(a[0]);
+  for (int i = 0; i < cx->shape->ncoef; i++) x[i] = scale * a[i];
+  power_series(f, cx->shape->degree, x[0], b[0], TL_LIBM(log)(a[0]), value);
+  tl_compose_n_blocks(cx, c, 2, (const tl_real *const[]){x, b}, f);
   tl_check(cx, c, TL_FN_pow);
 }
 
