@@ -94,9 +94,9 @@ enum { NPLACE = (TL_WIDE_DEGREE + 1) * (TL_WIDE_DEGREE + 2) / 2 };
 
 /* The coefficients of h^i g^j of a_0^(y+g) (1 + h/x)^(y+g) at their places i + j = n, n(n+1)/2 + j: value e_j b_i with
  *     e = exp(g log a_0),   b_i = binomial(y+g, i) x^-i = b_(i-1) (y - i + 1 + g)/(i x),   polynomials in g. */
-static void power_series(tl_real *f, int degree, tl_real x, tl_real y, tl_real logarithm_of_base, tl_real value) {
+static void power_series(tl_real *f, int degree, tl_real x, tl_real y, tl_wide logarithm_of_base, tl_real value) {
   tl_wide e[TL_WIDE_DEGREE + 1] = {tl_widen(value)}, b[TL_WIDE_DEGREE + 1] = {tl_widen(TL_C(1.0))};
-  for (int j = 1; j <= degree; j++) e[j] = tl_wide_div(tl_wide_mul(e[j - 1], tl_widen(logarithm_of_base)), tl_widen((tl_real)j));
+  for (int j = 1; j <= degree; j++) e[j] = tl_wide_div(tl_wide_mul(e[j - 1], logarithm_of_base), tl_widen((tl_real)j));
   for (int i = 0; i <= degree; i++) {
     for (int j = 0, n = i; n <= degree; j++, n++) {
       tl_wide sum = tl_wide_mul(b[0], e[j]);
@@ -142,7 +142,7 @@ static void power(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b, tl
   tl_real f[NPLACE], *x = tl_scratch(cx, 2);
   const tl_real scale = tl_normaliser(a[0]);
   for (int i = 0; i < cx->shape->ncoef; i++) x[i] = scale * a[i];
-  power_series(f, cx->shape->degree, x[0], b[0], TL_LIBM(log)(a[0]), value);
+  power_series(f, cx->shape->degree, x[0], b[0], tl_wide_log(tl_widen(a[0])), value);
   tl_compose_n_blocks(cx, c, 2, (const tl_real *const[]){x, b}, f);
   tl_check(cx, c, TL_FN_pow);
 }

@@ -16,23 +16,7 @@ static const tl_real BERNOULLI[NBERNOULLI] = {TL_C(0.166666666666666666666666666
                                               TL_C(54.9711779448621553884711779449),   TL_C(-529.124242424242424242424242424)};
 static const tl_real SHIFT = TL_C(16.0);
 
-/* log 16: the first 24 bits, which are exact in either precision, and the rest. */
-static const tl_wide LOG_SHIFT = {.hi = TL_C(2.7725887298583984375), .lo = TL_C(-7.6186171998310715141672937e-9)};
-
 static tl_wide add_real(tl_wide a, tl_real x) { return tl_wide_add(a, tl_widen(x)); }
-
-/* log x. Between SHIFT and SHIFT + 1 in twice the precision: log SHIFT + 2 atanh z, z = (x - SHIFT)/(x + SHIFT) <= 1/33, with the terms
- * from z^3 up in single; elsewhere the C library's. */
-static tl_wide wide_log(tl_wide x) {
-  if (x.hi < SHIFT || x.hi > SHIFT + TL_C(1.0)) return tl_widen(TL_LIBM(log)(x.hi));
-  enum { NTERM = 8 };
-  const tl_wide z = tl_wide_div(add_real(x, -SHIFT), add_real(x, SHIFT));
-  const tl_real square = z.hi * z.hi;
-  tl_real sum = TL_C(0.0);
-  for (int j = NTERM; j > 0; j--) sum = square * (sum + TL_C(1.0) / (tl_real)(2 * j + 1));
-  const tl_wide half = add_real(z, z.hi * sum);
-  return tl_wide_add(LOG_SHIFT, tl_wide_add(half, half));
-}
 
 /* psi(x) = log X - h - h^2/3 - sum_{j>1} B_2j/(2j X^2j) - sum_{n<N} 1/(x+n), X = x+N >= SHIFT, h = 1/(2X); x > 0. */
 static tl_wide digamma(tl_wide x) {
@@ -43,7 +27,7 @@ static tl_wide digamma(tl_wide x) {
   const tl_real square = TL_C(4.0) * h.hi * h.hi;
   tl_real tail = TL_C(0.0);
   for (int j = NBERNOULLI; j > 1; j--) tail = square * (tail - BERNOULLI[j - 1] / (tl_real)(2 * j));
-  return tl_wide_add(tl_wide_add(sum, h), tl_wide_add(wide_log(x), add_real(third, square * tail)));
+  return tl_wide_add(tl_wide_add(sum, h), tl_wide_add(tl_wide_log(x), add_real(third, square * tail)));
 }
 
 /* The tail of zeta(k,X) over X^(1-k) (Euler, Maclaurin), r = 1/X:

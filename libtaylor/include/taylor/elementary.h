@@ -24,7 +24,7 @@
  *
  * Accuracy: tests/libtaylor/ulp_table prints the worst error of each order. Up to degree 4 the inverse functions, tan, tanh, cbrt,
  * hypot, atan2 and pow are series in twice the precision composed with the jet, and their coefficients at x + t are rounded once (those
- * of tan, tanh and pow within a few ulp, as their values are rounded before).
+ * of tan, tanh and pow within a few ulp, as they start from rounded values).
  *
  * Cost, in products of two jets: exp.. log.., sqrt, powc, rpow 1; sin, cos, sincos, sinh, cosh 2; erf, erfc 3; powi with n > 0 min(n,
  * degree) - 1; tgamma and lgamma degree - 1, and about 20 (degree + 1) divisions and products of two numbers in twice the precision,
@@ -67,8 +67,10 @@ void tl_atanh(tl_ctx *cx, tl_real *c, const tl_real *a);
 void tl_erf(tl_ctx *cx, tl_real *c, const tl_real *a);
 void tl_erfc(tl_ctx *cx, tl_real *c, const tl_real *a);
 
-/* The gamma function and log|gamma|; their stack holds some 700 numbers. Beside a pole
- * at a distance e they overflow where e^(-degree-1) does, whatever the derivatives of a. The C library's lgamma also writes its global
+/* The gamma function and log|gamma|; their stack holds some 700 numbers. They
+ * are composed from f^(k)(x)/k!, which overflow beside a pole at a distance e where e^(-degree-1) does (NONFINITE, whatever the
+ * derivatives of a), and vanish for x above 1e300^(1/(degree-1)), which drops the higher coefficients of an a whose derivatives are as
+ * large as x. The C library's lgamma also writes its global
  * signgam. */
 void tl_tgamma(tl_ctx *cx, tl_real *c, const tl_real *a);
 void tl_lgamma(tl_ctx *cx, tl_real *c, const tl_real *a);
