@@ -93,15 +93,36 @@ static int off_the_poles(tl_ctx *cx, tl_real *c, tl_real x, tl_fn function) {
   return 0;
 }
 
+/* From here on log Gamma(x) is x (log x - 1) to the last bit but for smaller terms that are smooth too. */
+static const tl_real FAR = TL_C(1e20);
+
+/* log Gamma at x >= FAR on a brought to the size of 1, where f^(k)(x)/k! = (-1)^k x^(1-k)/(k (k-1)) alone would vanish: with y = scale
+ * x coefficient k is (-1)^k x y^-k/(k (k-1)), and the first log x/scale. */
+static void log_gamma_far(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real *f) {
+  const tl_real scale = tl_normaliser(a[0]), y = scale * a[0];
+  tl_real *u = tl_scratch(cx, 1), term = a[0] / y;
+  for (int i = 0; i < cx->shape->ncoef; i++) u[i] = scale * a[i];
+  f[1] = TL_LIBM(log)(a[0]) / scale;
+  for (int k = 2; k <= cx->shape->degree; k++) {
+    term = -term / y;
+    f[k] = -term / (tl_real)(k * (k - 1));
+  }
+  tl_compose_blocks(cx, c, u, f, cx->shape->degree, 0);
+}
+
 void tl_lgamma(tl_ctx *cx, tl_real *c, const tl_real *a) {
   if (!off_the_poles(cx, c, a[0], TL_FN_lgamma)) return;
   const int degree = cx->shape->degree;
   tl_wide l[MAX_DEGREE + 1];
   tl_real f[MAX_DEGREE + 1];
-  log_gamma_series(l, a[0], degree);
   f[0] = TL_LIBM(lgamma)(a[0]);
-  for (int k = 1; k <= degree; k++) f[k] = tl_narrow(l[k]);
-  tl_compose_blocks(cx, c, a, f, degree, 0);
+  if (a[0] >= FAR && degree > 0) {
+    log_gamma_far(cx, c, a, f);
+  } else {
+    log_gamma_series(l, a[0], degree);
+    for (int k = 1; k <= degree; k++) f[k] = tl_narrow(l[k]);
+    tl_compose_blocks(cx, c, a, f, degree, 0);
+  }
   tl_check(cx, c, TL_FN_lgamma);
 }
 
