@@ -53,3 +53,5 @@ add_mechanics(landau_governor "governor of Landau and Lifshitz; formulas as macr
 add_mechanics(goldstein_table "two masses on a string through a table, after Goldstein; Numerical Recipes style, everything from 1" DOF 4
   LAGRANGIAN table)
 add_mechanics(landau_rods "two hinged rods of Landau and Lifshitz; objects that answer for their energies" DOF 1 LAGRANGIAN rods)
+add_mechanics(five_bar "parallel robot with five bars; complex numbers as a struct" DOF 4 LAGRANGIAN five_bar_lagrangian HOLONOMIC five_bar_loop:2)
+add_mechanics(cam_follower "cam and rocker; angle by Newton's method, assert, results with a success flag" DOF 1 LAGRANGIAN cam_lagrangian FORCE cam_drive)
