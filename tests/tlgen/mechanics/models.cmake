@@ -1,6 +1,6 @@
 # The models of this folder: the mechanism; the habits of its C.
-add_mechanics(planar_arm "planar arm with three joints; 4x4 matrices in flat arrays, out-parameters" DOF 3 LAGRANGIAN arm_lagrangian ARGS p=arm
-  PARAMS "&bench_arm")
+add_mechanics(planar_arm "planar arm with three joints; 4x4 matrices in flat arrays, memset and memcpy, out-parameters" DOF 3
+  LAGRANGIAN arm_lagrangian ARGS p=arm PARAMS "&bench_arm")
 add_mechanics(heavy_top "heavy top in Euler angles; terse scalars, macro for squares" DOF 3 LAGRANGIAN L ARGS q=phi,th,psi qd=phid,thd,psid)
 add_mechanics(spatial_arm "arm with six axes; matrices as structs by value, designated table" DOF 6 LAGRANGIAN arm6_lagrangian)
 add_mechanics(recursive_chain "chain of rods in relative angles; a function that calls itself" DOF count LAGRANGIAN chain_lagrangian ARGS p=c
@@ -22,6 +22,13 @@ add_mechanics(terrain "puck on measured ground; static tables of float and short
 add_mechanics(stick_slip "blocks on a belt with tanh friction; a list of elements, enum and switch" DOF num_blocks
   LAGRANGIAN RigEnergyDifference FORCE RigForces ARGS p=rig PARAMS "&kBrakeRig")
 add_mechanics(rotating_hoop "bead on a hoop spun up in time; header-only inline helpers, array typedefs" DOF 1 LAGRANGIAN bead_on_hoop)
+add_mechanics(terrain_floor "point mass in a sampled potential; (int)floor of coordinates, switch of spline weights" DOF 2 LAGRANGIAN walker
+  ARGS p=map PARAMS "&yard")
+add_mechanics(mesh "net of knots and threads; objects with flags and floats filled by memcpy, laws as callbacks in a table" DOF 8
+  LAGRANGIAN net_lagrangian)
+add_mechanics(coils "coil on a spring over a coil, with circuits; elliptic integrals of a library by the user's rules" DOF 3
+  LAGRANGIAN gun_lagrangian FORCE gun_losses ARGS p=gun RULES ellint_K:ellint_K_taylor ellint_E:ellint_E_taylor PARAMS "&toy_gun")
+target_sources(mechanics_coils PRIVATE elliptic.c)
 add_mechanics(quaternion_body "rigid body with a quaternion of unit length; small value types, functions that return them" DOF 4
   LAGRANGIAN quaternion_body HOLONOMIC quaternion_norm)
 add_mechanics(snakeboard "snakeboard with PD laws along sinusoids; output of a symbolic program, t2 t3 t4" DOF 6 LAGRANGIAN snakeboard_L

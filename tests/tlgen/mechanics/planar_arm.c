@@ -1,6 +1,7 @@
 /* Planar arm with three revolute joints and a payload.
  * Every link frame is a homogeneous 4x4 matrix, stored row by row in double[16]. */
 #include <math.h>
+#include <string.h>
 
 #define JOINTS 3
 
@@ -26,8 +27,9 @@ const Arm bench_arm = {
 static void mat4_identity(double m[16])
 {
     int i;
-    for (i = 0; i < 16; i++)
-        m[i] = i % 5 == 0 ? 1.0 : 0.0;
+    memset(m, 0, 16 * sizeof(double));
+    for (i = 0; i < 4; i++)
+        m[5 * i] = 1.0;
 }
 
 /* c = a b; c may be a or b */
@@ -43,8 +45,7 @@ static void mat4_multiply(const double *a, const double *b, double *c)
             r[4 * i + j] = s;
         }
     }
-    for (i = 0; i < 16; i++)
-        c[i] = r[i];
+    memcpy(c, r, sizeof r);
 }
 
 static void mat4_rot_z(double angle, double m[16])
