@@ -19,3 +19,4 @@ expect "time of the generated file after a build without a change" "$(stat -c %.
 sed -i 's/9\.5/1.25/' "$tree.copy/gravity.h"
 cmake --build "$tree" >/dev/null
 expect "after the change" "$("$tree/drop")" -1.25
+if [ -e "$tree/fall_selftest" ]; then "$tree/fall_selftest" --point "q=1 qd=2" || exit 1; fi

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cstring>
 #include <functional>
 #include <ostream>
 #include <tuple>
@@ -44,12 +45,30 @@ bool Diagnostics::hasErrors() const {
   return std::any_of(messages_.begin(), messages_.end(), [this](const Message &m) { return isError(m); });
 }
 
+std::string Diagnostics::words(const std::string &text) const {
+  static const char *const keywords[][2] = {{"--lagrangian", "LAGRANGIAN"},
+                                            {"--holonomic", "HOLONOMIC"},
+                                            {"--nonholonomic", "NONHOLONOMIC"},
+                                            {"--force", "FORCE"},
+                                            {"--dof", "DOF"},
+                                            {"--model", "MODEL"},
+                                            {"--arg", "ARGS"},
+                                            {"--recursion", "RECURSION"},
+                                            {"--rule", "RULES"},
+                                            {"--selftest", "SELFTEST"},
+                                            {"after '--'", "as INCLUDE_DIRECTORIES and COMPILE_DEFINITIONS"}};
+  std::string s = text;
+  for (const auto &k : keywords)
+    for (size_t at; cmake_ && (at = s.find(k[0])) != std::string::npos;) s.replace(at, std::strlen(k[0]), k[1]);
+  return s;
+}
+
 void Diagnostics::print(std::ostream &out) const {
   for (const Message &m : messages_) {
     out << (m.file.empty() ? "tlgen" : m.file) << ':';
     if (m.line) out << m.line << ':' << m.column << ':';
-    out << (isError(m) ? " error: " : " warning: ") << m.what << ": " << m.kind->why << " [" << m.kind->id << "]\n"
-        << "  instead: " << m.kind->instead << '\n';
+    out << (isError(m) ? " error: " : " warning: ") << text(m) << " [" << m.kind->id << "]\n"
+        << "  instead: " << words(m.kind->instead) << '\n';
   }
 }
 

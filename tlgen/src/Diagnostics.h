@@ -41,18 +41,23 @@ public:
   void add(const char *id, const Program &program, const Loc &loc, const std::string &what);
   // Adds the messages of another run over the same sources; what both found is found once.
   void add(const Diagnostics &other) { messages_.insert(other.messages_.begin(), other.messages_.end()); }
+  // From now on messages call options by the keywords of taylor_add_model().
+  void speakCmake() { cmake_ = true; }
   // From now on a warning counts as an error.
   void promoteWarnings() { promote_ = true; }
 
   bool isError(const Message &m) const { return promote_ || m.kind->severity == Severity::Error; }
   bool hasErrors() const;
+  std::string text(const Message &m) const { return words(m.what + ": " + m.kind->why); }
+  // The text with its options as the caller of tlgen names them.
+  std::string words(const std::string &text) const;
   const std::set<Message> &messages() const { return messages_; }
   // Prints all messages by file, line and column, each once:  file:line:col: error: what: why [id] and a line with the way out.
   void print(std::ostream &out) const;
 
 private:
   std::set<Message> messages_;
-  bool promote_ = false;
+  bool promote_ = false, cmake_ = false;
 };
 
 } // namespace tlgen

@@ -8,6 +8,7 @@
 #include "Output.h"
 #include "Paths.h"
 #include "Sarif.h"
+#include "Selftest.h"
 
 #include <csignal>
 #include <filesystem>
@@ -42,8 +43,11 @@ bool overwrites(const Run &run, std::set<std::string> read) {
       return wrongOutput(option + ": " + out + " would be written twice");
     return 0;
   };
-  for (const Options &o : run.models)
+  for (const Options &o : run.models) {
     if (taken("-o", o.output) || taken("-o", o.header()) || (o.depfile && taken("-MD", o.depFile()))) return true;
+    for (size_t k = 0; o.selftest && k < o.sources.size(); ++k)
+      if (taken("--selftest", o.selftestFile(k))) return true;
+  }
   return !run.sarif.empty() && taken("--sarif", run.sarif);
 }
 
@@ -67,6 +71,8 @@ OutFiles makeModel(const Options &options, const Parsed &parsed, const std::stri
   std::set<std::string> files = parsed.files;
   if (!modelsFile.empty()) files.insert(modelsFile);
   if (options.depfile) out.push_back({options.depFile(), depRule(options.output, files)});
+  if (options.selftest)
+    for (auto &file : selftestFiles(source, match, options, program, model, diags)) out.push_back(std::move(file));
   return out;
 }
 
@@ -88,6 +94,7 @@ int generate(const Run &run) {
   }
   if (overwrites(run, read)) return 2;
   if (run.werror) all.promoteWarnings();
+  if (run.cmake) all.speakCmake();
   all.print(std::cerr);
   if (all.hasErrors()) out.clear();
   if (!run.sarif.empty()) out.push_back({run.sarif, sarifText(all)});

@@ -35,9 +35,12 @@ Model
 Output
   -o FILE.c              where to write (default: SOURCE_tl.c); FILE.h is written beside it
   -MD                    also write FILE.c.d, a make rule of all files that were read
+  --selftest             also write MODEL_selftest.c beside FILE.c (and MODEL_selftest_2.c .. for further sources): a program that checks
+                         every derivative of the model against differences of SOURCE.c in quad precision, at points that you name
   -p DIR                 take the compiler arguments from DIR/compile_commands.json
   --sarif FILE           also write all messages to FILE, as SARIF 2.1.0; it is written where the source is refused too
   --werror               treat warnings as errors
+  --cmake                name options in messages as taylor_add_model() of the CMake package does
 
 Several models
   --models FILE          each line of FILE is one model: its sources and options, and compiler arguments behind '--', with quotes as in
@@ -97,7 +100,7 @@ bool setOnce(std::string &slot, const std::string &name, const std::string &valu
   return true;
 }
 
-bool ofTheRun(const std::string &name) { return name == "--sarif" || name == "--werror" || name == "--models"; }
+bool ofTheRun(const std::string &name) { return name == "--sarif" || name == "--werror" || name == "--cmake" || name == "--models"; }
 
 bool setOption(Options &o, Run *run, const std::string &name, const std::string &value) {
   if (name == "--sarif") return setOnce(run->sarif, name, value);
@@ -141,7 +144,9 @@ bool complete(Options &o) {
 // Options without a value; false where it is none of them.
 bool setFlag(Options &o, Run *run, const std::string &arg) {
   if (arg == "-MD") return o.depfile = true;
+  if (arg == "--selftest") return o.selftest = true;
   if (arg == "--werror") return run->werror = true;
+  if (arg == "--cmake") return run->cmake = true;
   return false;
 }
 
@@ -201,6 +206,11 @@ Command explain(const std::string &id) {
 }
 
 } // namespace
+
+std::string Options::selftestFile(size_t k) const {
+  std::string folder = output.substr(0, output.find_last_of('/') + 1);
+  return folder + model + "_selftest" + (k ? "_" + std::to_string(k + 1) : "") + ".c";
+}
 
 Command parseOptions(int argc, const char *const *argv, Run &run) {
   std::vector<std::string> args(argv + 1, argv + argc);

@@ -33,6 +33,8 @@ struct Options {
   // The file beside the output with another ending: header() is FILE.h for FILE.c.
   std::string header() const { return output.substr(0, output.size() - 2) + ".h"; }
   std::string depFile() const { return output + ".d"; }
+  // The test program's part for source number k, from 0.
+  std::string selftestFile(size_t k) const;
 };
 
 // One run of the tool.
@@ -40,7 +42,7 @@ struct Run {
   std::vector<Options> models;
   std::string modelsFile; // --models: where the models were read from
   std::string sarif;
-  bool werror = false;
+  bool werror = false, cmake = false;
 };
 
 enum class Command { Generate, Done, Fail };

@@ -26,12 +26,12 @@ std::string uri(const std::string &path) {
   return s;
 }
 
-json::Value rules() {
+json::Value rules(const Diagnostics &diags) {
   json::Array list;
   for (const DiagnosticKind &k : allDiagnostics())
     list.push_back(json::Object{{"id", k.id},
                                 {"shortDescription", text(k.why)},
-                                {"help", text(k.instead)},
+                                {"help", text(diags.words(k.instead))},
                                 {"defaultConfiguration", json::Object{{"level", level(k.severity == Severity::Error)}}}});
   return list;
 }
@@ -49,7 +49,7 @@ json::Value results(const Diagnostics &diags) {
     list.push_back(json::Object{{"ruleId", m.kind->id},
                                 {"ruleIndex", m.kind - allDiagnostics().data()},
                                 {"level", level(diags.isError(m))},
-                                {"message", text(m.what + ": " + m.kind->why)},
+                                {"message", text(diags.text(m))},
                                 {"locations", locations(m)}});
   return list;
 }
@@ -57,7 +57,7 @@ json::Value results(const Diagnostics &diags) {
 } // namespace
 
 std::string sarifText(const Diagnostics &diags) {
-  json::Object driver{{"name", "tlgen"}, {"version", TLGEN_VERSION}, {"rules", rules()}};
+  json::Object driver{{"name", "tlgen"}, {"version", TLGEN_VERSION}, {"rules", rules(diags)}};
   json::Object run{{"tool", json::Object{{"driver", std::move(driver)}}},
                    {"invocations", json::Array{json::Object{{"executionSuccessful", !diags.hasErrors()}}}},
                    {"results", results(diags)}};

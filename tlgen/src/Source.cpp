@@ -5,6 +5,8 @@
 #include "clang/AST/ASTContext.h"
 #include "clang/Basic/SourceManager.h"
 
+#include <algorithm>
+
 namespace tlgen {
 
 std::string pathOf(const clang::SourceManager &sm, const clang::PresumedLoc &loc) {
@@ -12,7 +14,7 @@ std::string pathOf(const clang::SourceManager &sm, const clang::PresumedLoc &loc
   return fromHere(loc.getFilename(), entry ? entry->tryGetRealPathName().str() : "");
 }
 
-Source::Source(const std::vector<clang::ASTUnit *> &units, Diagnostics &diags) : diags_(diags) {
+Source::Source(const std::vector<clang::ASTUnit *> &units, Diagnostics &diags) : units_(units), diags_(diags) {
   for (const clang::ASTUnit *unit : units)
     for (const clang::Decl *decl : unit->getASTContext().getTranslationUnitDecl()->decls()) {
       const auto *function = llvm::dyn_cast<clang::FunctionDecl>(decl);
@@ -31,6 +33,28 @@ const clang::FunctionDecl *Source::definition(const clang::FunctionDecl *declare
   if (const clang::FunctionDecl *here = declared->getDefinition()) return here;
   const clang::FunctionDecl *elsewhere = find(declared->getNameAsString());
   return elsewhere && elsewhere->isExternallyVisible() ? elsewhere : nullptr;
+}
+
+size_t Source::unitOf(const clang::Decl *decl) const {
+  size_t i = 0;
+  while (&units_[i]->getASTContext() != &decl->getASTContext()) ++i;
+  return i;
+}
+
+std::vector<std::string> Source::systemHeaders(size_t unit) const {
+  const clang::SourceManager &sm = units_[unit]->getSourceManager();
+  std::vector<std::string> names;
+  for (unsigned i = 0; i < sm.local_sloc_entry_size(); ++i) {
+    const clang::SrcMgr::SLocEntry &entry = sm.getLocalSLocEntry(i);
+    if (!entry.isFile() || entry.getFile().getIncludeLoc().isInvalid()) continue;
+    clang::SourceLocation from = entry.getFile().getIncludeLoc();
+    if (entry.getFile().getFileCharacteristic() == clang::SrcMgr::C_User || sm.isInSystemHeader(from)) continue;
+    llvm::StringRef text =
+        sm.getBufferData(sm.getFileID(from)).substr(sm.getFileOffset(from)).take_until([](char ch) { return ch == '>'; });
+    std::string name = text.take_front() == "<" ? text.drop_front().str() : "";
+    if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+  }
+  return names;
 }
 
 void Source::report(const char *id, const clang::ASTContext &context, clang::SourceLocation at, const std::string &what) const {

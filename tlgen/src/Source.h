@@ -27,10 +27,16 @@ public:
   // The definition of a declared function, here or in another translation unit; null where there is none.
   const clang::FunctionDecl *definition(const clang::FunctionDecl *declared) const;
 
+  // The number of the source, from 0, whose reading found the declaration.
+  size_t unitOf(const clang::Decl *decl) const;
+  // The system headers that a source and its own headers include, as written between < and >, each once.
+  std::vector<std::string> systemHeaders(size_t unit) const;
+
   // Reports a fault at a place of the source.
   void report(const char *id, const clang::ASTContext &context, clang::SourceLocation at, const std::string &what) const;
 
 private:
+  std::vector<clang::ASTUnit *> units_;
   std::vector<const clang::FunctionDecl *> definitions_;
   std::map<std::string, const clang::FunctionDecl *> byName_;
   Diagnostics &diags_;

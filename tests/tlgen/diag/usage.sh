@@ -44,6 +44,8 @@ expect 1 "[no-file]" "$tlgen" missing.c --lagrangian L --dof 1
 expect 1 "[no-file]" "$tlgen" . --lagrangian L --dof 1 --model m -o m.c
 expect 1 "[no-file]" "$tlgen" "${good[@]}" -p missing
 expect 1 "cannot write missing/out.c" "$tlgen" "${good[@]}" -o missing/out.c
+expect 1 "Add --lagrangian NAME" "$tlgen" model.c --dof 1
+expect 1 "Add LAGRANGIAN NAME" "$tlgen" model.c --dof 1 --cmake
 expect 0 "usage: tlgen" "$tlgen" --help
 expect 0 "built with LLVM and Clang" "$tlgen" --version
 expect 0 "--models FILE" "$tlgen" --help

@@ -1,6 +1,6 @@
 /* Reads the C that follows in quad precision: every double is a __float128, every function of math.h its quad counterpart. */
-#ifndef TEST_QUAD_H
-#define TEST_QUAD_H
+#ifndef TLGEN_QUAD_H
+#define TLGEN_QUAD_H
 
 extern __float128 sqrtq(__float128);
 extern __float128 cbrtq(__float128);
