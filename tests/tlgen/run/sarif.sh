@@ -42,6 +42,17 @@ expect 1 "[no-function]" "$tlgen" good.c --lagrangian M --dof 1 --sarif out/m.sa
 results "error no-function good.c" out/m.sarif
 expect_files m.sarif
 
+# A warning is told and lets the run pass; with --werror it is an error.
+printf '#include <math.h>\n%s\n' 'double L(const double *q, const double *qd) { return qd[0] * qd[0] - floor(q[0]); }' >steps.c
+expect 0 "steps.c:2:70: warning: 'floor': " "$tlgen" steps.c "${options[@]}" --sarif out/m.sarif
+results "warning zero-derivative steps.c 2 70" out/m.sarif
+expect_files m.c m.h m.sarif
+expect 1 "steps.c:2:70: error: 'floor': " "$tlgen" steps.c "${options[@]}" --sarif out/m.sarif --werror
+results "error zero-derivative steps.c 2 70" out/m.sarif
+expect_files m.sarif
+expect 0 "" "$tlgen" good.c "${options[@]}" --werror
+expect_files m.c m.h
+
 expect 1 "cannot write missing/m.sarif" "$tlgen" good.c "${options[@]}" --sarif missing/m.sarif
 expect_files
 expect 2 "good.c is a source" "$tlgen" good.c "${options[@]}" --sarif good.c
