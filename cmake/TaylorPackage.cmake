@@ -1,4 +1,4 @@
-# What `cmake --install` and CPack deliver: the libraries, tlgen, and a CMake package libtaylor with targets taylor::*.
+# What `cmake --install` and CPack deliver: the libraries, tlgen, a CMake package libtaylor with targets taylor::*, and a pkg-config file.
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
@@ -21,6 +21,21 @@ configure_package_config_file(cmake/libtaylorConfig.cmake.in ${PROJECT_BINARY_DI
 write_basic_package_version_file(${PROJECT_BINARY_DIR}/libtaylorConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${PROJECT_BINARY_DIR}/libtaylorConfig.cmake ${PROJECT_BINARY_DIR}/libtaylorConfigVersion.cmake ${package_modules}
   DESTINATION ${package_dir})
+file(RELATIVE_PATH pc_prefix /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+string(REGEX REPLACE "/$" "" pc_prefix "${pc_prefix}")
+set(pc_requires)
+if(TAYLOR_HOST)
+  set(pc_requires lapacke)
+  if(OPENBLAS_FOUND)
+    string(APPEND pc_requires " openblas")
+  endif()
+endif()
+set(pc_tlgen)
+if(TAYLOR_TLGEN)
+  set(pc_tlgen "\${prefix}/${CMAKE_INSTALL_BINDIR}/tlgen")
+endif()
+configure_file(cmake/libtaylor.pc.in ${PROJECT_BINARY_DIR}/libtaylor.pc @ONLY)
+install(FILES ${PROJECT_BINARY_DIR}/libtaylor.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 set(CPACK_GENERATOR TGZ DEB)

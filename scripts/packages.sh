@@ -2,7 +2,7 @@
 
 build_packages=(cmake ninja-build gcc g++ pkg-config clang-19 llvm-19-dev libclang-19-dev liblapacke-dev libopenblas-dev
   libcmocka-dev libmpfr-dev gnuplot-nox)
-check_packages=(clang-format-19 dpkg-dev git python3 strace python3-mpmath valgrind)
+check_packages=(clang-format-19 dpkg-dev git make python3 strace python3-mpmath valgrind)
 
 # missing_packages NAME..: those that are not installed, one a line.
 missing_packages() {
