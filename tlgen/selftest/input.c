@@ -133,10 +133,11 @@ static int store(const input *in, const tlgen_member *m, const char *text, char 
     const float single = (float)x;
     const __float128 wide = (__float128)x;
     memcpy(to, m->kind == TLGEN_FLOAT ? (const void *)&single : &x, m->size);
-    if (m->kind == TLGEN_FLOAT)
+    const __float128 wide_single = (__float128)single;
+    if (m->kind == TLGEN_FLOAT && m->quad_size == sizeof single)
       memcpy(quad, &single, m->size);
     else
-      memcpy(quad, &wide, sizeof wide);
+      memcpy(quad, m->kind == TLGEN_FLOAT ? &wide_single : &wide, sizeof wide);
     return 1;
   }
   if (!store_integer(m, to, text)) return wrong(in, "%s: '%s' is not an integer of its type", m->name, text);
@@ -144,19 +145,17 @@ static int store(const input *in, const tlgen_member *m, const char *text, char 
   return 1;
 }
 
-static size_t quad_size(const tlgen_member *m) { return m->kind == TLGEN_DOUBLE ? sizeof(__float128) : m->size; }
-
 static int store_member(input *in, const tlgen_member *m, const list *l) {
   char *to = (char *)in->params + m->offset, *quad = (char *)in->quad_params + m->quad_offset;
   if (m->count == 0) {
-    char *numbers = get((size_t)l->count, m->size), *quads = get((size_t)l->count, quad_size(m));
+    char *numbers = get((size_t)l->count, m->size), *quads = get((size_t)l->count, m->quad_size);
     memcpy(to, &numbers, sizeof numbers);
     memcpy(quad, &quads, sizeof quads);
     to = numbers, quad = quads;
   } else if ((size_t)l->count != m->count)
     return wrong(in, "parameter '%s' has %zu numbers, not %d", m->name, m->count, l->count);
   for (int i = 0; i < l->count; i++)
-    if (!store(in, m, l->values[i], to + (size_t)i * m->size, quad + (size_t)i * quad_size(m))) return 0;
+    if (!store(in, m, l->values[i], to + (size_t)i * m->size, quad + (size_t)i * m->quad_size)) return 0;
   return 1;
 }
 
