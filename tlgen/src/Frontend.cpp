@@ -36,7 +36,8 @@ public:
 private:
   static const char *idOf(unsigned clangId) {
     std::string option = clang::DiagnosticIDs::getWarningOptionForDiag(clangId).str();
-    return option == "uninitialized" ? "uninitialized" : option == "array-bounds" ? "index-range" : "syntax";
+    if (option == "uninitialized" || option == "sometimes-uninitialized") return "uninitialized";
+    return option == "array-bounds" ? "index-range" : option == "unsequenced" ? "unsequenced" : "syntax";
   }
 
   Diagnostics &diags_;
@@ -62,7 +63,7 @@ tooling::ArgumentsAdjuster absoluteSource(const std::string &source) {
 tooling::ArgumentsAdjuster ownArguments(const Options &o) {
   std::vector<std::string> before = {"-xc", "-D__TLGEN__=1", "-DNDEBUG", "-ferror-limit=0", "-Wno-everything"};
   // Of Clang's warnings those that mean a wrong number.
-  for (const char *fault : {"uninitialized", "array-bounds", "return-type", "implicit-function-declaration"})
+  for (const char *fault : {"uninitialized", "array-bounds", "unsequenced", "return-type", "implicit-function-declaration"})
     before.push_back(std::string("-Werror=") + fault);
   if (llvm::sys::fs::is_directory(TLGEN_RESOURCE_DIR)) before.push_back("-resource-dir=" TLGEN_RESOURCE_DIR);
   auto adjuster = tooling::combineAdjusters(tooling::getClangStripOutputAdjuster(), tooling::getClangStripDependencyFileAdjuster());

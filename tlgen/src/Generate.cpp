@@ -4,6 +4,7 @@
 #include "EmitCalls.h"
 #include "Frontend.h"
 #include "Lower.h"
+#include "MemoryCheck.h"
 #include "Names.h"
 #include "Output.h"
 #include "Paths.h"
@@ -61,6 +62,7 @@ OutFiles makeModel(const Options &options, const Parsed &parsed, const std::stri
   Program program;
   Model model;
   lower(source, match, functions, options.model, program, model);
+  MemoryCheck(program, model, diags).run();
   separateNames(program, model.name);
   Activity activity(program, model, diags);
   if (diags.hasErrors()) return {};
@@ -71,9 +73,8 @@ OutFiles makeModel(const Options &options, const Parsed &parsed, const std::stri
   std::set<std::string> files = parsed.files;
   if (!modelsFile.empty()) files.insert(modelsFile);
   if (options.depfile) out.push_back({options.depFile(), depRule(options.output, files)});
-  bool single = text.source.find("tl_float(") != std::string::npos;
   if (options.selftest)
-    for (auto &file : selftestFiles(source, match, options, program, model, single, diags)) out.push_back(std::move(file));
+    for (auto &file : selftestFiles(source, match, options, program, model, diags)) out.push_back(std::move(file));
   return out;
 }
 

@@ -3,7 +3,6 @@
 
 #include "clang/AST/ASTContext.h"
 #include "clang/AST/Attr.h"
-#include "clang/AST/RecursiveASTVisitor.h"
 
 #include <algorithm>
 
@@ -47,28 +46,6 @@ bool fitsRole(const clang::ParmVarDecl *param, ArgRole role) {
   }
   return false;
 }
-
-// Constant indices into an array parameter of known length.
-class IndexCheck : public clang::RecursiveASTVisitor<IndexCheck> {
-public:
-  IndexCheck(const Source &source, const clang::ParmVarDecl *param, long length) : source_(source), param_(param), length_(length) {}
-
-  bool VisitArraySubscriptExpr(clang::ArraySubscriptExpr *e) {
-    const auto *base = llvm::dyn_cast<clang::DeclRefExpr>(e->getBase()->IgnoreParenImpCasts());
-    clang::Expr::EvalResult index;
-    if (!base || base->getDecl() != param_ || !e->getIdx()->EvaluateAsInt(index, param_->getASTContext())) return true;
-    int64_t i = index.Val.getInt().getExtValue();
-    if (i < 0 || i >= length_)
-      source_.report("index-range", param_->getASTContext(), e->getExprLoc(),
-                     "'" + param_->getNameAsString() + "[" + std::to_string(i) + "]' of " + std::to_string(length_));
-    return true;
-  }
-
-private:
-  const Source &source_;
-  const clang::ParmVarDecl *param_;
-  long length_;
-};
 
 class Matcher {
 public:
@@ -168,7 +145,7 @@ private:
     return count.member.empty() ? count.value : 0;
   }
 
-  // Declared lengths and constant indices of the array parameters.
+  // Declared lengths of the array parameters.
   void checkArrays(const Matched &m) {
     for (size_t i = 0; i < m.args.size(); ++i) {
       const clang::ParmVarDecl *param = m.function->getParamDecl(static_cast<unsigned>(i));
@@ -179,7 +156,6 @@ private:
         fault("index-range", param,
               "'" + param->getNameAsString() + "' is declared with " + std::to_string(declared->getSize().getZExtValue()) +
                   " numbers and has " + std::to_string(length));
-      if (length) IndexCheck(source_, param, length).TraverseStmt(m.function->getBody());
     }
   }
 

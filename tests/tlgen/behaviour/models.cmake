@@ -42,3 +42,4 @@ add_behaviour(mixed_structs DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
 add_behaviour(floats SINGLE DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
 # its functions differ from library to library
 add_behaviour(float_functions SINGLE VALUE_RTOL 1e-6 DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
+add_behaviour(sound DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t, &params)" PARAMS "&params")

@@ -16,6 +16,6 @@ double L(const double *q, const double *qd)
   set(&r, room);
   s.x = other;                           /* expect: pointer-in-struct */
   fill(&s, q[0]);
-  return first(&v) + w.x[0] + value(*u) + r.x[0] + other[0] + value(list[0]) +  /* expect: pointer-in-struct */
+  return first(&v) + w.x[0] + value(u[1]) + r.x[0] + other[0] + value(list[0]) +  /* expect: pointer-in-struct */
          first(&(struct view){q, 1});    /* expect: pointer-in-struct */
 }

@@ -1,6 +1,6 @@
-/* Indices and lengths that do not fit: of the coordinates, of the results, of a local array. */
+/* Constant indices that do not fit the coordinates or the results. */
 /* tlgen: --lagrangian L --dof 2 --holonomic phi:2 */
-double L(const double *q, const double qd[3]) /* expect: index-range */
+double L(const double *q, const double qd[2])
 {
   return qd[1] * qd[-1] + q[2]; /* expect: index-range */
 }

@@ -24,7 +24,7 @@ static double in_struct(double x)
 static double assigned(double x)
 {
   int n = 0;
-  return (n = x) + n; /* expect: active-integer */
+  return (n = x) + 1; /* expect: active-integer */
 }
 static double counted(double x)
 {

@@ -1,4 +1,5 @@
 /* The inputs, written to in roundabout ways. */
+/* tlgen: --lagrangian L --dof 2 */
 struct p { double k[2]; struct part { double m; } part; int n; };
 static void swap(double *a, double *b)
 {
