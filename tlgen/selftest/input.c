@@ -70,13 +70,18 @@ typedef struct list {
   char *name; /* null at the end of the text */
   char *values[1024];
   int count;
+  int fill; /* ".." behind the last: it stands for all that follow */
 } list;
+
+static int fits(const list *l, size_t count) { return l->fill ? (size_t)l->count <= count : (size_t)l->count == count; }
+
+static const char *value(const list *l, size_t i) { return l->values[i < (size_t)l->count ? i : (size_t)l->count - 1]; }
 
 /* The next list of the text at *rest, which is cut up. False, with a message, where a value stands without a name. */
 static int next_list(const input *in, char **rest, list *l) {
   char *equals, *word = *rest + strspn(*rest, separators);
   l->name = NULL;
-  l->count = 0;
+  l->count = l->fill = 0;
   while (*word) {
     char *end = word + strcspn(word, separators), *following = end + strspn(end, separators);
     equals = memchr(word, '=', (size_t)(end - word));
@@ -92,6 +97,8 @@ static int next_list(const input *in, char **rest, list *l) {
     if (*word) l->values[l->count++] = word;
     word = following;
   }
+  l->fill = l->count > 1 && strcmp(l->values[l->count - 1], "..") == 0;
+  l->count -= l->fill;
   *rest = word;
   return 1;
 }
@@ -133,10 +140,11 @@ static int store(const input *in, const tlgen_member *m, const char *text, char 
     const float single = (float)x;
     const __float128 wide = (__float128)x;
     memcpy(to, m->kind == TLGEN_FLOAT ? (const void *)&single : &x, m->size);
-    if (m->kind == TLGEN_FLOAT)
+    const __float128 wide_single = (__float128)single;
+    if (m->kind == TLGEN_FLOAT && m->quad_size == sizeof single)
       memcpy(quad, &single, m->size);
     else
-      memcpy(quad, &wide, sizeof wide);
+      memcpy(quad, m->kind == TLGEN_FLOAT ? &wide_single : &wide, sizeof wide);
     return 1;
   }
   if (!store_integer(m, to, text)) return wrong(in, "%s: '%s' is not an integer of its type", m->name, text);
@@ -144,19 +152,18 @@ static int store(const input *in, const tlgen_member *m, const char *text, char 
   return 1;
 }
 
-static size_t quad_size(const tlgen_member *m) { return m->kind == TLGEN_DOUBLE ? sizeof(__float128) : m->size; }
-
 static int store_member(input *in, const tlgen_member *m, const list *l) {
   char *to = (char *)in->params + m->offset, *quad = (char *)in->quad_params + m->quad_offset;
+  const size_t count = m->count ? m->count : (size_t)l->count;
+  if (!fits(l, count) || (l->fill && !m->count)) return wrong(in, "parameter '%s' has %zu numbers, not %d", m->name, count, l->count);
   if (m->count == 0) {
-    char *numbers = get((size_t)l->count, m->size), *quads = get((size_t)l->count, quad_size(m));
+    char *numbers = get(count, m->size), *quads = get(count, m->quad_size);
     memcpy(to, &numbers, sizeof numbers);
     memcpy(quad, &quads, sizeof quads);
     to = numbers, quad = quads;
-  } else if ((size_t)l->count != m->count)
-    return wrong(in, "parameter '%s' has %zu numbers, not %d", m->name, m->count, l->count);
-  for (int i = 0; i < l->count; i++)
-    if (!store(in, m, l->values[i], to + (size_t)i * m->size, quad + (size_t)i * quad_size(m))) return 0;
+  }
+  for (size_t i = 0; i < count; i++)
+    if (!store(in, m, value(l, i), to + i * m->size, quad + i * m->quad_size)) return 0;
   return 1;
 }
 
@@ -206,9 +213,10 @@ static int resolve_point(input *in, char *text, double *x) {
     while (i < 3 && strcmp(names[i], l.name) != 0) i++;
     if (i == 3) return wrong(in, "point %d: '%s' is none of q, qd and t", in->npoints, l.name);
     if (seen[i]++) return wrong(in, "point %d: %s is given twice", in->npoints, l.name);
-    if (l.count != counts[i]) return wrong(in, "point %d: %s has %d numbers, not %d", in->npoints, names[i], counts[i], l.count);
-    for (int k = 0; k < l.count; k++)
-      if (!parse_double(in, l.name, l.values[k], &x[where[i] + k])) return 0;
+    if (!fits(&l, (size_t)counts[i]))
+      return wrong(in, "point %d: %s has %d numbers, not %d", in->npoints, names[i], counts[i], l.count);
+    for (int k = 0; k < counts[i]; k++)
+      if (!parse_double(in, l.name, value(&l, (size_t)k), &x[where[i] + k])) return 0;
   }
   for (int i = 0; i < 3; i++)
     if (!seen[i] && (i < 2 || in->test->takes_time)) return wrong(in, "point %d: %s is missing", in->npoints, names[i]);
@@ -238,8 +246,8 @@ void input_example(const tlgen_selftest *test) {
     const tlgen_member *m = &p->members[i];
     const char *number = m->kind == TLGEN_DOUBLE || m->kind == TLGEN_FLOAT ? "1.5" : "2";
     fprintf(stderr, "%s%s=%s", i ? " " : " --params \"", m->name, number);
-    for (size_t k = 1; k < m->count && k < 8; k++) fprintf(stderr, ",%s", number);
-    fprintf(stderr, "%s%s", m->count > 8 ? ",.." : m->count == 0 ? ",.." : "", i + 1 == p->count ? "\"" : "");
+    for (size_t k = 1; k < m->count && k < 3; k++) fprintf(stderr, ",%s", number);
+    fprintf(stderr, "%s%s", m->count > 3 ? ",.." : m->count == 0 ? ",1.5" : "", i + 1 == p->count ? "\"" : "");
   }
   fprintf(stderr, " --point \"q=0.3,.. qd=-0.7,..%s\"\n", test->takes_time ? " t=0.5" : "");
 }

@@ -8,6 +8,8 @@
 
 /* Some tens of roundings, relative to the scale that check.c says. */
 static const double DEFAULT_RTOL = 1e-12;
+/* The same in single precision, whose rounding the differences leave out. */
+static const double SINGLE_RTOL = 1e-5;
 /* Truncation is then about 1e-20 of the fifth derivative, and rounding in a third derivative 1e-19 of the value. */
 static const double DEFAULT_STEP = 1e-5;
 
@@ -16,7 +18,8 @@ static void help(const tlgen_selftest *test) {
          "Checks every derivative of model \"%s\", the values and orders 1 to 3 of every function, against differences of its C source "
          "in\n"
          "quad precision, at points that you name, and prints the largest error of each order.\n\n"
-         "  --params \"NAME=V NAME=V,V ..\"  members of the parameter struct, arrays as lists, nested ones as arm[0].length=1.5\n"
+         "  --params \"NAME=V NAME=V,V ..\"  members of the parameter struct, arrays as lists, nested ones as arm[0].length=1.5;\n"
+         "                                 a list that ends in ',..' goes on with its last number\n"
          "  --point \"q=.. qd=.. t=..\"      a point; may be repeated\n"
          "  FILE                           lines 'params ..' and 'point ..' with the same texts; # begins a comment\n"
          "  --rtol R                       largest relative error (default %g)\n"
@@ -27,7 +30,7 @@ static void help(const tlgen_selftest *test) {
          "An error is relative to the largest derivative of that order or below, or to the change of one when a variable doubles.\n"
          "A line says 'unsettled' where the differences themselves do not agree for two steps: a kink is near, or H does not suit.\n"
          "Exit status: 0 all derivatives agree, 1 some do not or are unsettled, 2 wrong usage.\n",
-         test->model->name, test->model->name, DEFAULT_RTOL, MAX_ORDER, MAX_ORDER, DEFAULT_STEP);
+         test->model->name, test->model->name, test->single ? SINGLE_RTOL : DEFAULT_RTOL, MAX_ORDER, MAX_ORDER, DEFAULT_STEP);
 }
 
 static void list(const tlgen_selftest *test) {
@@ -146,7 +149,7 @@ static int check_model(const input *in, const settings *s) {
 
 int tlgen_selftest_main(int argc, char **argv, const tlgen_selftest *test) {
   input in = {.test = test};
-  settings s = {DEFAULT_RTOL, DEFAULT_STEP, MAX_ORDER};
+  settings s = {test->single ? SINGLE_RTOL : DEFAULT_RTOL, DEFAULT_STEP, MAX_ORDER};
   int status = parse(argc, argv, &in, &s);
   if (status < 0 && !in.asked) {
     fprintf(stderr, "%s_selftest: no point is given. Name one or more where the model is smooth, for example\n", test->model->name);

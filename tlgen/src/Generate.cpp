@@ -73,8 +73,9 @@ OutFiles makeModel(const Options &options, const Parsed &parsed, const std::stri
   std::set<std::string> files = parsed.files;
   if (!modelsFile.empty()) files.insert(modelsFile);
   if (options.depfile) out.push_back({options.depFile(), depRule(options.output, files)});
+  bool single = text.source.find("tl_float(") != std::string::npos;
   if (options.selftest)
-    for (auto &file : selftestFiles(source, match, options, program, model, diags)) out.push_back(std::move(file));
+    for (auto &file : selftestFiles(source, match, options, program, model, single, diags)) out.push_back(std::move(file));
   return out;
 }
 

@@ -36,7 +36,8 @@ Output
   -o FILE.c              where to write (default: SOURCE_tl.c); FILE.h is written beside it
   -MD                    also write FILE.c.d, a make rule of all files that were read
   --selftest             also write MODEL_selftest.c beside FILE.c (and MODEL_selftest_2.c .. for further sources): a program that checks
-                         every derivative of the model against differences of SOURCE.c in quad precision, at points that you name
+                         every derivative of the model against differences of SOURCE.c in quad precision, at points that you name. A function of --rule
+                         must be linked to it on __float128, and its rule
   -p DIR                 take the compiler arguments from DIR/compile_commands.json
   --sarif FILE           also write all messages to FILE, as SARIF 2.1.0; it is written where the source is refused too
   --werror               treat warnings as errors

@@ -21,7 +21,7 @@ std::string uri(const std::string &path) {
     if (std::isalnum(ch) || plain.find(static_cast<char>(ch)) != std::string::npos)
       s += static_cast<char>(ch);
     else
-      s += llvm::formatv("%{0:X-2}", static_cast<unsigned>(ch)).str();
+      s += {'%', "0123456789ABCDEF"[ch / 16], "0123456789ABCDEF"[ch % 16]};
   }
   return s;
 }

@@ -13,8 +13,8 @@ bool isNumber(const Type *type) { return type->kind == Type::Real || type->kind 
 class SelftestPrinter {
 public:
   SelftestPrinter(const Source &source, const Match &match, const Options &options, const Program &program, const Model &model,
-                  Diagnostics &diags)
-      : source_(source), match_(match), options_(options), program_(program), model_(model), diags_(diags) {}
+                  bool single, Diagnostics &diags)
+      : source_(source), match_(match), options_(options), program_(program), model_(model), single_(single), diags_(diags) {}
 
   std::vector<std::pair<std::string, std::string>> run() {
     std::vector<std::pair<std::string, std::string>> files;
@@ -57,13 +57,14 @@ private:
            (model_.params ? "extern const tlgen_params " + params + ";\n" : "") +
            "\nint main(int argc, char **argv)\n{\n  static tlgen_quad_fn *const functions[] = {" + listed + "};\n" +
            "  const tlgen_selftest test = {&" + model_.name + "_model, functions, " + (model_.params ? "&" + params : "NULL") + ", " +
-           (takesTime() ? "1" : "0") + "};\n  return tlgen_selftest_main(argc, argv, &test);\n}\n\n";
+           (takesTime() ? "1" : "0") + (single_ ? ", 1" : ", 0") + "};\n  return tlgen_selftest_main(argc, argv, &test);\n}\n\n";
   }
 
   std::string quadSource(size_t k) const {
     std::string s;
     for (const std::string &name : source_.systemHeaders(k)) s += "#include <" + name + ">\n";
-    return s + "#include <tlgen/quad.h>\n#define main tlgen_user_main\n#include \"" + baseName(k) + "\"\n";
+    return s + (single_ ? "#define TLGEN_QUAD_SINGLE\n" : "") + "#include <tlgen/quad.h>\n#define main tlgen_user_main\n#include \"" +
+           baseName(k) + "\"\n";
   }
 
   // The parameter struct in double and its members, in the file whose source has the first function that takes it.
@@ -85,6 +86,11 @@ private:
     return 0;
   }
 
+  // A number's type, whatever quad.h makes of its name.
+  static std::string ours(const Type *number) {
+    return number->name == "double" ? "tlgen_double" : number->name == "float" ? "tlgen_single" : number->name;
+  }
+
   // A member's declaration, structs written out.
   static std::string member(const Type *type, const std::string &name) {
     switch (type->kind) {
@@ -98,7 +104,7 @@ private:
       return s + " } " + name;
     }
     default:
-      return (type->name == "double" ? "tlgen_double" : type->name) + " " + name;
+      return ours(type) + " " + name;
     }
   }
 
@@ -125,8 +131,8 @@ private:
     std::string kind = real         ? (number->name == "double" ? "TLGEN_DOUBLE" : "TLGEN_FLOAT")
                        : isUnsigned ? "TLGEN_UNSIGNED"
                                     : "TLGEN_SIGNED";
-    return "  TLGEN_MEMBER(struct " + model_.name + "_double, " + model_.params->spelling + ", " + kind + ", " +
-           (number->name == "double" ? "tlgen_double" : number->name) + ", " + count + ", " + path + "),\n";
+    return "  TLGEN_MEMBER(struct " + model_.name + "_double, " + model_.params->spelling + ", " + kind + ", " + ours(number) + ", " +
+           number->name + ", " + count + ", " + path + "),\n";
   }
 
   std::string functions(size_t k) const {
@@ -161,14 +167,16 @@ private:
   const Options &options_;
   const Program &program_;
   const Model &model_;
+  bool single_;
   Diagnostics &diags_;
 };
 
 } // namespace
 
 std::vector<std::pair<std::string, std::string>> selftestFiles(const Source &source, const Match &match, const Options &options,
-                                                               const Program &program, const Model &model, Diagnostics &diags) {
-  return SelftestPrinter(source, match, options, program, model, diags).run();
+                                                               const Program &program, const Model &model, bool single,
+                                                               Diagnostics &diags) {
+  return SelftestPrinter(source, match, options, program, model, single, diags).run();
 }
 
 } // namespace tlgen

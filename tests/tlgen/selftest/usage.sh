@@ -20,7 +20,7 @@ expect() {
 point="q=0.3,0.4 qd=-1.5,0.25 t=2"
 params=$(sed -n 's/^params //p' "$text" | tr '\n' ' ')
 
-expect 2 'habits_selftest --params "exp=1.5,1.5,1.5,1.5,1.5,1.5 rows=2' "$habits"
+expect 2 'habits_selftest --params "exp=1.5,1.5,1.5,.. rows=2' "$habits"
 expect 2 "no point is given" "$scalars"
 expect 2 "parameter 'single' is missing" "$habits" --params "${params/single=0.1/}" --point "$point"
 expect 2 "no member 'mass'" "$habits" --params "mass=1" --point "$point"
@@ -42,6 +42,8 @@ expect 2 "list:1: a line begins with" "$scalars" list
 expect 2 "--colour is no option" "$scalars" --colour red
 expect 2 "--order is no option, or its value is out of range" "$scalars" --point "$point" --order 4
 expect 2 "--point wants a value" "$scalars" --point
+expect 2 "parameter 'exp' has 6 numbers, not 7" "$habits" --params "${params/5,6/5,6,7,..}" --point "$point"
+expect 0 "All derivatives agree" "$habits" --params "${params/5,6/5,..}" --point "q=0.3,.. qd=-1.5,0.25 t=2" --order 1
 expect 0 "usage: habits_selftest" "$habits" --help
 expect 0 "part[1].rest" "$habits" --list
 expect 0 "All derivatives agree" "$scalars" --point "$point" --order 1

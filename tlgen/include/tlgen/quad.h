@@ -105,7 +105,7 @@ extern int signbitq(__float128);
 #define signbit signbitq
 
 /* Single precision that depends on the coordinates: the exact derivatives are those without its rounding. */
-#ifdef QUAD_SINGLE
+#ifdef TLGEN_QUAD_SINGLE
 #define float __float128
 #define sqrtf sqrtq
 #define cbrtf cbrtq

@@ -8,8 +8,9 @@
 
 #include <stddef.h>
 
-/* double, where quad.h has given that word another meaning. */
+/* double and float, where quad.h has given these words another meaning. */
 typedef double tlgen_double;
+typedef float tlgen_single;
 
 /* A function of the model as plain C in quad precision. out: its rows; q, qd: n numbers each, the function's own copies; params: the
  * parameter struct of quad.h's C. */
@@ -21,14 +22,15 @@ typedef enum tlgen_kind { TLGEN_DOUBLE, TLGEN_FLOAT, TLGEN_SIGNED, TLGEN_UNSIGNE
 typedef struct tlgen_member {
   const char *name; /* as in C behind "p->": "arm[0].length" */
   tlgen_kind kind;
-  size_t size;                /* bytes of one number; of a double one also where quad.h makes it a __float128 */
+  size_t size, quad_size;     /* bytes of one number; where quad.h makes it a __float128 */
   size_t count;               /* numbers; 0 for a pointer, which takes as many as are given */
   size_t offset, quad_offset; /* in the struct, and in that of quad.h's C, bytes */
 } tlgen_member;
 
-/* A row for a member of both structs; number is its type. The name stands as it is written, whatever quad.h calls it. */
-#define TLGEN_MEMBER(ours, theirs, kind, number, count, member)                                                                        \
-  {#member, kind, sizeof(number), count, offsetof(ours, member), offsetof(theirs, member)}
+/* A row for a member of both structs; our_number and number are its type in each. The name stands as it is written, whatever quad.h
+ * calls it. */
+#define TLGEN_MEMBER(ours, theirs, kind, our_number, number, count, member)                                                            \
+  {#member, kind, sizeof(our_number), sizeof(number), count, offsetof(ours, member), offsetof(theirs, member)}
 
 typedef struct tlgen_params {
   size_t size, quad_size; /* of the struct, bytes */
@@ -41,6 +43,7 @@ typedef struct tlgen_selftest {
   tlgen_quad_fn *const *functions; /* those the model has: Lagrangian, force, holonomic, nonholonomic constraints */
   const tlgen_params *params;      /* null where the model has none */
   int takes_time;                  /* whether some function takes t */
+  int single; /* whether single precision depends on the coordinates: the differences are of the C without its rounding */
 } tlgen_selftest;
 
 /* The whole program: reads options, points and parameters, prints a table. Exit status: 0 all derivatives agree, 1 some do not, 2 wrong
