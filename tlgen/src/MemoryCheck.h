@@ -43,8 +43,7 @@ private:
   struct Choice { // a switch that is being run
     State entry;
     Value selector;
-    bool matched = false; // an earlier case is taken for sure
-    bool known = false;   // one of the cases is taken for sure
+    bool known = false; // one of the cases is taken for sure
   };
   struct Frame {
     Loc call; // in the frame before
@@ -115,7 +114,7 @@ private:
   void write(const Place &p, const Cells &cells, const Expr *e);
   void demandValue(const Cell &cell, const Place &p, const Expr *e);
   std::string leafName(int id, const Range &offset) const;
-  void visit(const char *id, const Loc &loc, const std::string &name, const std::string &what, bool fault);
+  void visit(const char *id, const Expr *access, const Loc &loc, const std::string &name, const std::string &what, bool fault);
   bool over() const { return steps_ > maxSteps; }
 
   static const int maxRounds = 128;
@@ -138,7 +137,7 @@ private:
   std::vector<Frame> frames_;
   State state_;
   long steps_ = 0;
-  std::map<std::tuple<std::string, int, unsigned, unsigned, std::string>, Finding> findings_;
+  std::map<std::tuple<const Expr *, int, unsigned, unsigned, std::string>, Finding> findings_; // accesses, and reads of variables
 };
 
 } // namespace tlgen

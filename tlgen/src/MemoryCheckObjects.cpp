@@ -52,7 +52,7 @@ bool MemoryCheck::inside(const Place &p, long size, const Expr *e, std::vector<s
       beyond = "index " + std::to_string(first / unit) + count + " in '" + named_[static_cast<size_t>(t.first)].name + "'";
     }
   }
-  visit("index-range", e->loc, "", beyond, !good);
+  visit("index-range", e, e->loc, "", beyond, !good);
   return good;
 }
 
@@ -138,12 +138,13 @@ void MemoryCheck::demandValue(const Cell &cell, const Place &p, const Expr *e) {
   depth = std::max<size_t>(depth, 1); // of the model function, what it is given too
   const Loc &loc = depth >= frames_.size() - 1 ? e->loc : frames_[depth].call;
   std::string name = leafName(first.first, first.second);
-  visit("uninitialized", loc, named_[static_cast<size_t>(first.first)].name, "'" + name + "'", !cell.assigned);
+  visit("uninitialized", nullptr, loc, named_[static_cast<size_t>(first.first)].name, "'" + name + "'", !cell.assigned);
 }
 
-void MemoryCheck::visit(const char *id, const Loc &loc, const std::string &name, const std::string &what, bool fault) {
+void MemoryCheck::visit(const char *id, const Expr *access, const Loc &loc, const std::string &name, const std::string &what,
+                        bool fault) {
   if (over() || !state_.live) return;
-  auto key = std::make_tuple(std::string(id), loc.file, loc.line, loc.column, name);
+  auto key = std::make_tuple(access, loc.file, loc.line, loc.column, name);
   auto [place, isNew] = findings_.try_emplace(key);
   Finding &f = place->second;
   if (isNew) f = {id, loc, "", false, true, Reached::Perhaps};
