@@ -67,8 +67,10 @@ Place *Variant::target(const Expr *e) const {
     return place(e->args[0]);
   case Expr::Binary:
     return target(e->args[e->args[0]->type->kind == Type::Pointer ? 0 : 1]);
-  case Expr::Conditional:
-    return target(e->args[1]);
+  case Expr::Conditional: {
+    Place *first = target(e->args[1]); // none for NULL
+    return first ? first : target(e->args[2]);
+  }
   case Expr::Comma:
     return target(e->args[1]);
   case Expr::Cast:
@@ -236,6 +238,7 @@ private:
       if (arg) visit(arg, e);
     if (e->kind == Expr::Call) call(e);
     if (e->kind == Expr::Assign) assign(e);
+    if (e->kind == Expr::InitList && v_.place(e) && !holdsNumbers(e->type)) give(v_.place(e), e->type, e, e->loc, "a literal");
     if (e->kind == Expr::InitList && v_.place(e) && v_.varied(e)) activate(v_.place(e), e->loc, "a literal");
     if (e->kind == Expr::Step) write(v_.place(e->args[0]), e->loc);
     if (checking_) check(e);
@@ -298,21 +301,27 @@ private:
     }
     Variant *callee = activity_.variant(e->callee, signature);
     if (v_.callees[e] != callee) v_.callees[e] = callee, changed_ = true;
+    std::map<Place *, Place *> met;
     for (size_t i = 0; i < e->args.size(); ++i)
       if (e->args[i]->type->kind == Type::Pointer)
-        takeBack(callee->places[callee->function->params[i]]->target, v_.target(e->args[i]), e);
+        takeBack(callee->places[callee->function->params[i]]->target, v_.target(e->args[i]), e, met);
   }
 
-  // What the callee does to the storage behind a pointer happens to the caller's.
-  void takeBack(Place *theirs, Place *ours, const Expr *e) {
+  // What the callee does to the storage behind a pointer happens to the caller's; what is one place there is one here.
+  void takeBack(Place *theirs, Place *ours, const Expr *e, std::map<Place *, Place *> &met) {
     if (!theirs || !ours) return;
     theirs = find(theirs), ours = find(ours);
+    auto known = met.emplace(theirs, ours);
+    if (!known.second) {
+      unify(known.first->second, ours, e->loc);
+      return;
+    }
     if (theirs->written) write(ours, e->loc);
     if (theirs->active) activate(ours, e->loc, "an argument of '" + e->callee->name + "'");
-    takeBack(theirs->target, ours->target, e);
+    takeBack(theirs->target, ours->target, e, met);
     for (auto &field : theirs->fields)
       if (ours->fields.count(field.first))
-        takeBack(field.second, ours->fields[field.first], e);
+        takeBack(field.second, ours->fields[field.first], e, met);
       else if (find(field.second)->written)
         write(ours, e->loc);
   }
@@ -350,12 +359,14 @@ private:
   void check(const Expr *e) {
     checkKept(e);
     bool follows = e->kind == Expr::Index || e->kind == Expr::Deref || (e->kind == Expr::Member && e->arrow);
-    if (follows && !v_.target(e->args[0])) std::abort(); // a pointer from nowhere: Subset refuses what could make one
+    if (follows && !v_.target(e->args[0])) activity_.report("unsupported", e->loc, "a pointer to nothing");
     bool toInteger = e->kind == Expr::Cast && e->type->kind == Type::Integer && e->type->name != "_Bool";
     if (toInteger && v_.varied(e->args[0])) activity_.report("active-integer", e->loc, "conversion to '" + e->type->name + "'");
     bool compound = e->kind == Expr::Assign && e->args[0]->type->kind == Type::Integer && v_.varied(e->args[1]);
     if (compound) activity_.report("active-integer", e->loc, "assignment to '" + e->args[0]->type->name + "'");
     if (e->kind == Expr::MathCall && !e->rule) checkMath(e);
+    bool equality = e->kind == Expr::Binary && (e->text == "==" || e->text == "!=");
+    if (equality && (v_.varied(e->args[0]) || v_.varied(e->args[1]))) activity_.report("active-equality", e->loc, "'" + e->text + "'");
   }
 
   // Functions that are constant between jumps, and those without a derivative that anyone would want.

@@ -2,6 +2,7 @@
 #include "Calls.h"
 
 #include "clang/AST/ASTContext.h"
+#include "clang/AST/Attr.h"
 #include "clang/AST/RecursiveASTVisitor.h"
 
 #include <algorithm>
@@ -112,6 +113,29 @@ std::optional<BulkCopy> bulkCopy(const c::CallExpr *call, const std::string &nam
   return copy;
 }
 
+// True where the declaration is the one that the name stands for: the types of math.h, and no other name behind it.
+bool isOwn(const c::FunctionDecl *callee, const MathFunction &math) {
+  std::string name = callee->getNameAsString();
+  if (callee->hasAttr<c::AsmLabelAttr>()) return false;
+  if (name != mathName(name)) return true; // a builtin
+  bool single = name != math.name, integers = math.name == std::string("abs") || math.name == std::string("labs") || math.name == std::string("llabs");
+  auto fits = [&](c::QualType type) {
+    return type->isSpecificBuiltinType(single ? c::BuiltinType::Float : c::BuiltinType::Double) || (integers && type->isIntegerType());
+  };
+  if (callee->getNumParams() != static_cast<unsigned>(math.arity) || callee->isVariadic()) return false;
+  for (unsigned i = 0; i < callee->getNumParams(); ++i) {
+    bool exponent = i == 1 && math.operation == std::string("scalbn");
+    c::QualType type = callee->getParamDecl(i)->getType();
+    if (exponent ? !type->isSpecificBuiltinType(c::BuiltinType::Int) : !fits(type)) return false;
+  }
+  return fits(callee->getReturnType()) || (math.kind != MathFunction::Smooth && callee->getReturnType()->isIntegerType());
+}
+
+// A name among a few, with or without the mark of a builtin.
+bool isOne(const std::string &name, std::initializer_list<const char *> names) {
+  return std::any_of(names.begin(), names.end(), [&](const char *n) { return mathName(name) == n; });
+}
+
 } // namespace
 
 std::string instanceName(const Instance &instance) {
@@ -127,8 +151,7 @@ Calls::Calls(const Source &source, const Match &match, const Instance &caller) :
 
 // True where a variable has its first value for good.
 bool Calls::keepsValue(const c::VarDecl *v) const {
-  c::QualType type = v->getType();
-  while (const auto *array = type->getAsArrayTypeUnsafe()) type = array->getElementType();
+  c::QualType type = v->getASTContext().getBaseElementType(v->getType());
   return v->getInit() && (type.isConstQualified() || (isFunctionPointer(v->getType()) && v->hasLocalStorage() && !changed_.count(v)));
 }
 
@@ -207,17 +230,26 @@ Reach Calls::reachFunction(const c::FunctionDecl *callee, const c::CallExpr *cal
   r.rule = ruleOf(callee, match_);
   std::string name = callee->getNameAsString();
   const c::FunctionDecl *definition = source_.definition(callee);
-  bool copies = mathName(name) == "memcpy" || mathName(name) == "memmove" || mathName(name) == "memset";
+  const MathFunction *math = findMath(name);
+  bool copies = isOne(name, {"memcpy", "memmove", "memset"}), builtin = name != mathName(name);
   if (!r.rule.empty())
     r.kind = Reach::Rule;
-  else if (!definition && findMath(name))
+  else if (!definition && math && isOwn(callee, *math))
     r.kind = Reach::Math;
+  else if (builtin && isOne(name, {"expect", "expect_with_probability"}))
+    r.kind = Reach::Same;
+  else if (builtin && isOne(name, {"unreachable"}))
+    r.kind = Reach::Nothing;
+  else if (builtin && isOne(name, {"nan", "nanf", "inf", "inff", "huge_val", "huge_valf"}))
+    r.kind = Reach::NotFinite;
   else if (!definition && copies && call->getNumArgs() == 3)
     r.kind = Reach::Copy, r.copy = bulkCopy(call, mathName(name));
   else if (!definition)
     r.kind = Reach::NoBody;
   else {
     Instance instance{definition, {}};
+    if (call->getNumArgs() != definition->getNumParams() && !definition->isVariadic()) r.kind = Reach::NoBody; // not the one declared here
+    if (r.kind == Reach::NoBody) return r;
     for (unsigned i = 0; i < definition->getNumParams(); ++i) {
       bool isFunction = isFunctionPointer(definition->getParamDecl(i)->getType());
       const c::FunctionDecl *bound = isFunction && i < call->getNumArgs() ? function(call->getArg(i)) : nullptr;

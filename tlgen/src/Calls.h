@@ -38,7 +38,8 @@ struct BulkCopy {
 };
 
 struct Reach {
-  enum Kind { Math, Rule, Copy, Functions, NoBody, Unsettled } kind = Unsettled;
+  // Same: its first argument's value, as __builtin_expect. Nothing: __builtin_unreachable.
+  enum Kind { Math, Rule, Copy, Functions, Same, Nothing, NotFinite, NoBody, Unsettled } kind = Unsettled;
   const clang::FunctionDecl *callee = nullptr; // Math, Rule, Copy, NoBody
   std::string rule;                            // Rule: the function that fills the Taylor coefficients
   std::optional<BulkCopy> copy;                // Copy: none where the size is not one of whole objects

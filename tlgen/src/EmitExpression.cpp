@@ -150,6 +150,14 @@ Text FunctionEmitter::fixedAddress(const Expr *lvalue) {
   return {fixed, Primary};
 }
 
+// True for a cast after which what a pointer points to may be written.
+static bool dropsConst(const Expr *cast) {
+  const Type *from = cast->args[0]->type->element, *to = cast->type->element;
+  while (from->kind == Type::Array) from = from->element;
+  while (to->kind == Type::Array) to = to->element;
+  return from->isConst && !to->isConst;
+}
+
 // A pointer to active numbers.
 Text FunctionEmitter::pointer(const Expr *e) {
   auto sum = [](const Address &a) { return Text{a.pointer(), a.offset().empty() ? Postfix : Sum}; };
@@ -158,6 +166,8 @@ Text FunctionEmitter::pointer(const Expr *e) {
   Address one{"", {{{"1", Primary}, jetCount(element)}}};
   std::string jets = one.offset();
   switch (e->kind) {
+  case Expr::Literal:
+    return {e->text, Primary}; // NULL
   case Expr::Ref:
     return {nameOf(e->var), Primary};
   case Expr::Index:
@@ -168,6 +178,7 @@ Text FunctionEmitter::pointer(const Expr *e) {
   case Expr::AddressOf:
     return sum(place(e->args[0]));
   case Expr::Cast:
+    if (e->args[0]->type->kind == Type::Pointer && dropsConst(e)) return {"(tl_real *)" + operand(pointer(e->args[0]), Prefix), Prefix};
     return pointer(e->args[0]);
   case Expr::Binary: {
     bool first = e->args[0]->type->kind == Type::Pointer;
@@ -213,6 +224,10 @@ Text FunctionEmitter::pointerValue(const Expr *e) {
     return unaryText("*", pointerValue(e->args[0]));
   case Expr::Cast:
     return pointerValue(e->args[0]);
+  case Expr::Literal:
+    return {e->text, Primary}; // NULL
+  case Expr::InitList:
+    return {"(" + jetDeclaration(e->type, "") + ")" + pointerList(e), Primary};
   case Expr::Binary: {
     bool first = e->args[0]->type->kind == Type::Pointer;
     return binaryText(e->text, first ? pointerValue(e->args[0]) : value(e->args[0]),
@@ -299,7 +314,7 @@ Text FunctionEmitter::value(const Expr *e) {
     if (plainInteger && e->type->kind == Type::Real) return {inner->text + ".0", Primary};
     if (plainInteger && e->type->kind == Type::Integer && integerSuffix(e->type->name))
       return {inner->text + integerSuffix(e->type->name), Primary};
-    if (e->type->kind == Type::Pointer) return value(inner); // only qualifiers change
+    if (e->type->kind == Type::Pointer && inner->type->kind == Type::Pointer && !dropsConst(e)) return value(inner);
     return {"(" + tlgen::declaration(e->type, "") + ")" + operand(value(inner), Prefix), Prefix};
   }
   case Expr::Assign:
@@ -354,16 +369,17 @@ Text FunctionEmitter::changeInteger(const Expr *e) {
   return kept.empty() ? now : Text{kept, Primary};
 }
 
-// A value where C asks for zero or not: compilers warn of a floating-point number there.
-Text FunctionEmitter::condition(const Expr *e) {
-  Text t = value(e);
-  return e->type->kind == Type::Real ? Text{operand(t, Shift) + " != 0", Equality} : t;
-}
-
 // A condition as 0 or 1; a comparison is that already.
 static std::string truth(const Text &t) {
   bool already = t.precedence == Relation || t.precedence == Equality || t.precedence == And || t.precedence == Or || t.s[0] == '!';
   return already ? t.s : operand(t, Shift) + " != 0";
+}
+
+// A value where C asks for zero or not: compilers warn of a floating-point number there, and of an integer that was computed.
+Text FunctionEmitter::condition(const Expr *e) {
+  Text t = value(e);
+  bool computed = e->type->kind == Type::Integer && (t.precedence == Product || t.precedence == Shift || t.precedence == Choice);
+  return e->type->kind == Type::Real || (computed && truth(t) != t.s) ? Text{operand(t, Shift) + " != 0", Equality} : t;
 }
 
 // a && b and a || b evaluate b only where they must, also where b needs statements.

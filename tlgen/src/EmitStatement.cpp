@@ -47,7 +47,9 @@ void FunctionEmitter::leave(bool loopOnly) {
 std::string FunctionEmitter::nameOf(const Stmt *label) { return label->label + "_label"; }
 
 void FunctionEmitter::choose(const Stmt *s) {
-  line("switch (" + value(s->expr).s + ") {");
+  Text selector = value(s->expr);
+  bool truth = selector.precedence == Relation || selector.precedence == Equality || selector.precedence == And || selector.precedence == Or;
+  line("switch (" + (truth ? "(int)" + operand(selector, Prefix) : selector.s) + ") {");
   scopes_.push_back({Scope::Switch, ""});
   const Stmt *before = nullptr;
   for (const Stmt *part : s->then->body) {
@@ -289,10 +291,14 @@ bool FunctionEmitter::isAlone(const Expr *lhs, const Expr *factor) const {
 }
 
 void FunctionEmitter::branch(const Stmt *s) {
-  bool statements = needsStatements(s->expr);
-  if (statements) quote(s->loc);
+  if (needsStatements(s->expr)) quote(s->loc);
   line("if (" + condition(s->expr).s + ") {");
   body(s->then);
+  // A chain of else if stays one, where the next condition can stand there.
+  for (; s->otherwise && s->otherwise->kind == Stmt::If && !needsStatements(s->otherwise->expr); s = s->otherwise) {
+    line("} else if (" + condition(s->otherwise->expr).s + ") {");
+    body(s->otherwise->then);
+  }
   if (s->otherwise) {
     line("} else {");
     body(s->otherwise);

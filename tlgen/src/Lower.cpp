@@ -91,6 +91,9 @@ private:
   Stmt *evaluation(const c::Stmt *s, Expr *value);
   static bool holdsFunction(c::QualType type);
   Expr *initList(const c::InitListExpr *e);
+  Expr *characterOf(const c::CharacterLiteral *e);
+  Expr *compound(const c::CompoundAssignOperator *e);
+  static std::string nameOf(const c::FieldDecl *field);
   Expr *node(Expr::Kind kind, const c::Expr *e, std::vector<Expr *> args, const std::string &text = "");
   Stmt *node(Stmt::Kind kind, const c::Stmt *s) {
     Stmt n;
@@ -151,24 +154,36 @@ const Record *Lowering::record(const c::RecordDecl *decl) {
     context_ = &decl->getASTContext();
     spelling = context_->getRecordType(decl).getAsString(c::PrintingPolicy(context_->getLangOpts()));
   }
-  if (const c::TypedefNameDecl *name = decl->getTypedefNameForAnonDecl()) spelling = name->getNameAsString();
+  const c::TypedefNameDecl *name = decl->getTypedefNameForAnonDecl();
+  std::string tag = decl->getNameAsString();
+  if (name) spelling = name->getNameAsString();
+  if (!name && tag.empty()) { // it needs a name of its own to be declared by
+    tag = "unnamed_" + std::to_string(context_->getSourceManager().getPresumedLoc(decl->getLocation()).getLine());
+    spelling = "struct " + tag;
+  }
   auto found = records_.find(decl);
   if (found != records_.end()) return found->second;
   Record *r = program_.make(Record{});
   records_[decl] = r;
   r->spelling = spelling;
-  r->tag = decl->getNameAsString();
+  r->tag = tag;
   r->loc = loc(decl->getLocation());
   if (decl->isCompleteDefinition())
-    for (const c::FieldDecl *field : decl->fields()) r->fields.push_back({field->getNameAsString(), type(field->getType())});
+    for (const c::FieldDecl *field : decl->fields()) r->fields.push_back({nameOf(field), type(field->getType())});
   for (int n = 2; const Record *other = sameName(*r); ++n) {
     if (sameFields(*r, *other)) return records_[decl] = other; // of another translation unit
     std::string end = "_" + std::to_string(n);                 // of another scope
-    r->tag = decl->getNameAsString().empty() ? "" : decl->getNameAsString() + end;
+    r->tag = tag.empty() ? "" : tag + end;
     r->spelling = r->tag.empty() ? spelling + end : "struct " + r->tag;
   }
   program_.records.push_back(r); // after the records that its fields need
   return r;
+}
+
+// A member without a name stands for the struct that it is.
+std::string Lowering::nameOf(const c::FieldDecl *field) {
+  std::string name = field->getNameAsString();
+  return name.empty() ? "unnamed" + std::to_string(field->getFieldIndex()) : name;
 }
 
 const Record *Lowering::sameName(const Record &r) const {
@@ -201,7 +216,7 @@ Loc Lowering::loc(c::SourceLocation at) {
   c::SourceLocation place = sm.getExpansionLoc(at);
   c::PresumedLoc p = sm.getPresumedLoc(place, false);
   if (p.isInvalid()) return {};
-  return {fileIndex(sm.getFileID(place), p.getFilename()), p.getLine(), p.getColumn()};
+  return {fileIndex(sm.getFileID(place), pathOf(sm, p)), p.getLine(), p.getColumn()};
 }
 
 Variable *Lowering::variable(const c::VarDecl *decl, Variable::Scope scope) {
@@ -327,6 +342,7 @@ Stmt *Lowering::stmt(const c::Stmt *s) {
   if (const auto *call = llvm::dyn_cast<c::CallExpr>(e)) {
     Reach reach = calls_->reach(call);
     if (reach.kind == Reach::Copy) return copyOf(call, *reach.copy);
+    if (reach.kind == Reach::Nothing) return node(Stmt::Block, s);
   }
   return evaluation(s, expr(llvm::cast<c::Expr>(s)));
 }
@@ -360,16 +376,23 @@ Expr *Lowering::node(Expr::Kind kind, const c::Expr *e, std::vector<Expr *> args
 Expr *Lowering::castOf(const c::CastExpr *e) {
   Expr *inner = expr(e->getSubExpr());
   switch (e->getCastKind()) {
-  case c::CK_LValueToRValue:
   case c::CK_NoOp:
+    if (e->getType()->isPointerType() && inner->type->kind == Type::Pointer && inner->type->element->isConst) break;
     return inner;
+  case c::CK_LValueToRValue:
+    return inner;
+  case c::CK_NullToPointer:
+    return node(Expr::Literal, e, {}, "NULL");
+  case c::CK_PointerToBoolean: {
+    Expr *null = node(Expr::Literal, e->getSubExpr(), {}, "NULL");
+    return node(Expr::Binary, e, {inner, null}, "!=");
+  }
   case c::CK_ArrayToPointerDecay:
     return node(Expr::Decay, e, {inner});
-  case c::CK_FloatingToBoolean:
-  case c::CK_IntegralToBoolean: // a condition, or a conversion to _Bool
   default:
-    return node(Expr::Cast, e, {inner});
+    break;
   }
+  return node(Expr::Cast, e, {inner});
 }
 
 Expr *Lowering::unary(const c::UnaryOperator *e) {
@@ -402,6 +425,7 @@ Expr *Lowering::callOf(const c::CallExpr *e) {
   std::vector<Expr *> args;
   for (const c::Expr *arg : e->arguments())
     if (!holdsFunction(arg->getType())) args.push_back(expr(arg));
+  if (reach.kind == Reach::Same) return args[0];
   if (reach.kind == Reach::Functions) return chosenCall(e, reach, args);
   if (reach.kind == Reach::Rule) return externalCall(e, reach, std::move(args));
   return node(Expr::MathCall, e, std::move(args), mathName(reach.callee->getNameAsString()));
@@ -444,6 +468,25 @@ Expr *Lowering::initList(const c::InitListExpr *e) {
   return node(Expr::InitList, e, std::move(items));
 }
 
+Expr *Lowering::characterOf(const c::CharacterLiteral *e) {
+  bool isSigned = e->getType()->isSignedIntegerType();
+  long long value = isSigned ? static_cast<int32_t>(e->getValue()) : static_cast<long long>(e->getValue());
+  return node(Expr::Literal, e, {}, std::to_string(value) + suffix(e->getType()));
+}
+
+// x op= y. Where C computes in another type than x has, x = (type of x)((that type)x op y), or compilers warn.
+Expr *Lowering::compound(const c::CompoundAssignOperator *e) {
+  std::string op = c::BinaryOperator::getOpcodeStr(c::BinaryOperator::getOpForCompoundAssignment(e->getOpcode())).str();
+  c::QualType own = e->getLHS()->getType().getUnqualifiedType(), wide = e->getComputationLHSType();
+  bool same = context_->hasSameUnqualifiedType(own, wide) && context_->hasSameUnqualifiedType(own, e->getComputationResultType());
+  Expr *lhs = expr(e->getLHS()), *rhs = expr(e->getRHS());
+  if (same || own->isPointerType() || e->getLHS()->HasSideEffects(*context_)) return node(Expr::Assign, e, {lhs, rhs}, op + "=");
+  Expr *widened = node(Expr::Cast, e, {expr(e->getLHS())}), *result = node(Expr::Binary, e, {widened, rhs}, op);
+  widened->type = type(wide);
+  result->type = type(e->getComputationResultType());
+  return node(Expr::Assign, e, {lhs, node(Expr::Cast, e, {result})}, "=");
+}
+
 Expr *Lowering::expr(const c::Expr *e) {
   e = e->IgnoreParens();
   if (const auto *constant = llvm::dyn_cast<c::ConstantExpr>(e)) return expr(constant->getSubExpr());
@@ -453,7 +496,7 @@ Expr *Lowering::expr(const c::Expr *e) {
     lit->getValue().toString(text, 10, isSigned);
     return node(Expr::Literal, e, {}, text.str().str() + suffix(e->getType()));
   }
-  if (const auto *lit = llvm::dyn_cast<c::CharacterLiteral>(e)) return node(Expr::Literal, e, {}, std::to_string(lit->getValue()));
+  if (const auto *lit = llvm::dyn_cast<c::CharacterLiteral>(e)) return characterOf(lit);
   if (const auto *lit = llvm::dyn_cast<c::FloatingLiteral>(e)) {
     bool isFloat = e->getType()->isSpecificBuiltinType(c::BuiltinType::Float);
     double value = isFloat ? static_cast<double>(lit->getValue().convertToFloat()) : lit->getValue().convertToDouble();
@@ -479,12 +522,13 @@ Expr *Lowering::expr(const c::Expr *e) {
   if (const auto *sub = llvm::dyn_cast<c::ArraySubscriptExpr>(e))
     return node(Expr::Index, e, {expr(sub->getBase()), expr(sub->getIdx())});
   if (const auto *member = llvm::dyn_cast<c::MemberExpr>(e)) {
-    Expr *n = node(Expr::Member, e, {expr(member->getBase())}, member->getMemberDecl()->getNameAsString());
+    Expr *n = node(Expr::Member, e, {expr(member->getBase())}, nameOf(llvm::cast<c::FieldDecl>(member->getMemberDecl())));
     n->arrow = member->isArrow();
     return n;
   }
   if (const auto *cast = llvm::dyn_cast<c::CastExpr>(e)) return castOf(cast);
   if (const auto *op = llvm::dyn_cast<c::UnaryOperator>(e)) return unary(op);
+  if (const auto *op = llvm::dyn_cast<c::CompoundAssignOperator>(e)) return compound(op);
   if (const auto *op = llvm::dyn_cast<c::BinaryOperator>(e)) {
     Expr::Kind kind = op->isAssignmentOp() ? Expr::Assign : op->getOpcode() == c::BO_Comma ? Expr::Comma : Expr::Binary;
     return node(kind, e, {expr(op->getLHS()), expr(op->getRHS())}, op->getOpcodeStr().str());

@@ -184,7 +184,8 @@ private:
     bool returns = m.function->getReturnType()->isSpecificBuiltinType(clang::BuiltinType::Double);
     bool out = seen[static_cast<int>(ArgRole::Out)];
     std::string name = "'" + m.function->getNameAsString() + "'";
-    if (returns == out || (!returns && !m.function->getReturnType()->isVoidType()))
+    bool silent = m.function->getReturnType()->isVoidType() || m.function->getReturnType()->isIntegerType(); // a code of success
+    if (returns == out || (!returns && !silent))
       fault("role-missing", m.function, name + " has no result, or two");
     if (m.role == Role::Force && !out) fault("role-missing", m.function, name + " has no 'out'");
     if (!seen[static_cast<int>(ArgRole::Q)] && !seen[static_cast<int>(ArgRole::Qd)])

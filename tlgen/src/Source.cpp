@@ -18,7 +18,7 @@ Source::Source(const std::vector<clang::ASTUnit *> &units, Diagnostics &diags) :
   for (const clang::ASTUnit *unit : units)
     for (const clang::Decl *decl : unit->getASTContext().getTranslationUnitDecl()->decls()) {
       const auto *function = llvm::dyn_cast<clang::FunctionDecl>(decl);
-      if (!function || !function->isThisDeclarationADefinition()) continue;
+      if (!function || !function->doesThisDeclarationHaveABody()) continue;
       definitions_.push_back(function);
       byName_.emplace(function->getNameAsString(), function);
     }
@@ -30,7 +30,8 @@ const clang::FunctionDecl *Source::find(const std::string &name) const {
 }
 
 const clang::FunctionDecl *Source::definition(const clang::FunctionDecl *declared) const {
-  if (const clang::FunctionDecl *here = declared->getDefinition()) return here;
+  const clang::FunctionDecl *here = nullptr;
+  if (declared->hasBody(here)) return here;
   const clang::FunctionDecl *elsewhere = find(declared->getNameAsString());
   return elsewhere && elsewhere->isExternallyVisible() ? elsewhere : nullptr;
 }

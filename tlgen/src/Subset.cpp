@@ -15,6 +15,19 @@ using namespace clang;
 using clang::Expr; // not the intermediate program's
 using clang::Stmt;
 
+// The attribute of a declaration that may change what it means; null where there is none.
+const Attr *otherMeaning(const Decl *decl) {
+  static const std::set<std::string> harmless = {
+      "unused",  "maybe_unused", "used",       "always_inline", "noinline", "const",     "pure",    "hot",  "cold",       "nonnull",
+      "nothrow", "deprecated",   "annotate",   "gnu_inline",    "leaf",     "malloc",    "flatten", "artificial", "section", "visibility",
+      "minsize", "optnone",      "no_sanitize", "target",       "warn_unused_result", "returns_nonnull", "nodiscard", "noclone"};
+  for (const Attr *a : decl->attrs()) {
+    bool packing = isa<MaxFieldAlignmentAttr>(a);
+    if ((packing || !a->isImplicit()) && !isa<AsmLabelAttr>(a) && !harmless.count(a->getSpelling())) return a;
+  }
+  return nullptr;
+}
+
 // The id of the message that refuses a type, or null where it is accepted as a variable's.
 const char *refusedType(QualType type) {
   if (type.isVolatileQualified()) return "volatile";
@@ -28,9 +41,11 @@ const char *refusedType(QualType type) {
   if (type->isUnionType()) return "union";
   if (const auto *record = type->getAs<RecordType>()) {
     const RecordDecl *def = record->getDecl()->getDefinition();
-    if (!def || (def->getNameAsString().empty() && !def->getTypedefNameForAnonDecl())) return "type";
+    if (!def) return "type";
+    if (otherMeaning(def)) return "attribute";
     for (const FieldDecl *field : def->fields()) {
       if (field->isBitField()) return "type";
+      if (otherMeaning(field)) return "attribute";
       bool self = field->getType()->isPointerType() && field->getType()->getPointeeType()->getAs<RecordType>();
       if (self) continue;
       if (const char *id = refusedType(field->getType())) return id;
@@ -65,9 +80,15 @@ public:
     return true;
   }
 
+  bool TraverseStaticAssertDecl(StaticAssertDecl *) { return true; } // Clang has seen to it
+
+  // What an assembler would read is nothing to look at.
+  bool TraverseGCCAsmStmt(GCCAsmStmt *s, DataRecursionQueue * = nullptr) { return VisitStmt(s); }
+
   // Of a copy of whole objects, the pointers as they were before they lost their types.
   bool TraverseCallExpr(CallExpr *call, DataRecursionQueue * = nullptr) {
     Reach reach = calls_.reach(call);
+    if (reach.kind == Reach::NotFinite) return VisitCallExpr(call);
     if (reach.kind != Reach::Copy) return RecursiveASTVisitor::TraverseCallExpr(call);
     if (!statements_.count(call)) report("unsupported", call->getBeginLoc(), "the value of '" + spelling(call) + "'");
     if (!reach.copy) report("bulk-copy", call->getBeginLoc(), "'" + spelling(call) + "'");
@@ -105,6 +126,7 @@ public:
     std::string name = "'" + v->getNameAsString() + "'";
     if (const char *id = refusedType(v->getType()))
       report(id, v->getLocation(), name + " of type '" + v->getType().getAsString() + "'");
+    if (const Attr *a = otherMeaning(v)) report("attribute", v->getLocation(), std::string("'") + a->getSpelling() + "' of " + name);
     if (v->isStaticLocal() && !deepConst(v->getType())) report("global-state", v->getLocation(), "static variable " + name);
     if (v->hasExternalStorage()) report("global-state", v->getLocation(), "extern variable " + name);
     if (v->getInit() && holdsFunction(v->getType())) settled(v->getInit());
@@ -139,6 +161,12 @@ public:
     case Reach::Functions:
       if (reach.choice && call->getType()->isVoidType() && !statements_.count(call)) report("unsupported", call->getBeginLoc(), name);
       callees_.insert(reach.instances.begin(), reach.instances.end());
+      break;
+    case Reach::Same:
+    case Reach::Nothing:
+      break;
+    case Reach::NotFinite:
+      report("not-finite", call->getBeginLoc(), name);
       break;
     case Reach::NoBody:
       report("unknown-function", call->getBeginLoc(), name);
@@ -207,6 +235,8 @@ private:
       return nullptr;
     if (isa<CastExpr>(s)) return refusedCast(cast<CastExpr>(s));
     if (const auto *op = dyn_cast<UnaryOperator>(s)) return refusedUnary(op);
+    if (const auto *size = dyn_cast<UnaryExprOrTypeTraitExpr>(s))
+      if (size->getTypeOfArgument()->isVariablyModifiedType()) return "vla";
     if (isa<IntegerLiteral>(s) || isa<FloatingLiteral>(s) || isa<CharacterLiteral>(s) || isa<ParenExpr>(s) || isa<DeclRefExpr>(s) ||
         isa<ArraySubscriptExpr>(s) || isa<MemberExpr>(s) || isa<BinaryOperator>(s) || isa<ConditionalOperator>(s) || isa<CallExpr>(s) ||
         isa<InitListExpr>(s) || isa<ImplicitValueInitExpr>(s) || isa<UnaryExprOrTypeTraitExpr>(s) || isa<ConstantExpr>(s) ||
@@ -232,7 +262,14 @@ private:
     return nullptr;
   }
 
+  static bool pointsToVolatile(QualType type) {
+    for (; type->isPointerType(); type = type->getPointeeType())
+      if (type->getPointeeType().isVolatileQualified()) return true;
+    return false;
+  }
+
   static const char *refusedCast(const CastExpr *c) {
+    if (pointsToVolatile(c->getType())) return "volatile";
     switch (c->getCastKind()) {
     case CK_LValueToRValue:
     case CK_NoOp:
@@ -246,10 +283,9 @@ private:
     case CK_FloatingToBoolean:
     case CK_ToVoid:
     case CK_BuiltinFnToFnPtr:
-      return refusedValue(c);
     case CK_NullToPointer:
     case CK_PointerToBoolean:
-      return "unsupported";
+      return refusedValue(c);
     case CK_BitCast:
       return sameNumbers(c->getType(), c->getSubExpr()->getType()) ? nullptr : "pointer-cast";
     case CK_IntegralToPointer:
@@ -284,8 +320,8 @@ private:
   }
 
   // const all the way down: no pointer to something that could be written.
-  static bool deepConst(QualType type) {
-    if (const auto *array = type->getAsArrayTypeUnsafe()) return deepConst(array->getElementType());
+  bool deepConst(QualType type) const {
+    type = context_.getBaseElementType(type);
     return type.isConstQualified() && (!type->isPointerType() || Calls::isFunctionPointer(type));
   }
 
@@ -358,6 +394,8 @@ public:
 private:
   void checkSignature(const FunctionDecl *f) {
     std::string name = "'" + f->getNameAsString() + "'";
+    if (const Attr *a = otherMeaning(f))
+      source_.report("attribute", f->getASTContext(), f->getLocation(), std::string("'") + a->getSpelling() + "' of " + name);
     if (f->isVariadic()) source_.report("variadic", f->getASTContext(), f->getLocation(), name);
     QualType result = f->getReturnType();
     if (result->isPointerType())
