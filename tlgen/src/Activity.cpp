@@ -51,6 +51,13 @@ Place *Variant::place(const Expr *e) const {
   case Expr::Assign:
   case Expr::Step:
     return place(e->args[0]);
+  case Expr::Comma:
+    return place(e->args[1]);
+  case Expr::Call: { // what it returns, for who takes an array out of a struct
+    auto it = callees.find(e);
+    return it == callees.end() || e->type->kind != Type::Struct ? nullptr : find(it->second->result);
+  }
+  case Expr::Conditional:
   case Expr::InitList: {
     auto it = literals.find(e);
     return it == literals.end() ? nullptr : find(it->second);
@@ -161,7 +168,11 @@ private:
   void declare(const Stmt *s) {
     if (!v_.places.count(s->var)) {
       v_.places[s->var] = activity_.makePlace(s->var->type);
-      if (s->var->isStatic) find(v_.places[s->var])->frozen = find(v_.places[s->var])->input = true;
+      for (Place *p = s->var->isStatic ? find(v_.places[s->var]) : nullptr; p; p = p->target) p->frozen = p->input = true;
+    }
+    if (s->var->isStatic && s->var->init) {
+      prepare(s->var->init);
+      give(v_.places[s->var], s->var->type, s->var->init, s->loc, "'" + s->var->name + "'");
     }
     if (checking_ && v_.active(s->var)) checkType(s->var->type, s->var->loc, "'" + s->var->name + "'");
     if (!s->expr) return;
@@ -212,6 +223,10 @@ private:
       if (arg) prepare(arg);
     if (e->kind == Expr::Ref && !v_.places.count(e->var)) v_.places[e->var] = globalPlace(e->var);
     if (e->kind == Expr::InitList && e->text == "compound" && !v_.literals.count(e)) v_.literals[e] = activity_.makePlace(e->type);
+    if (e->kind == Expr::Conditional && e->type->kind == Type::Struct) {
+      if (!v_.literals.count(e)) v_.literals[e] = activity_.makePlace(e->type);
+      for (size_t i : {1, 2}) give(v_.literals[e], e->type, e->args[i], e->loc, "a choice");
+    }
     if (e->kind == Expr::Member) {
       Place *base = e->arrow ? v_.target(e->args[0]) : v_.place(e->args[0]);
       if (base) member(base, e->text, e->type);
@@ -225,11 +240,14 @@ private:
 
   Place *globalPlace(const Variable *var) {
     Place *&p = activity_.globals_[var];
-    if (!p) {
-      p = activity_.makePlace(var->type);
-      p->input = p->frozen = true;
+    if (p) return p;
+    Place *made = p = activity_.makePlace(var->type);
+    for (Place *part = made; part; part = part->target) part->input = part->frozen = true;
+    if (var->init) {
+      prepare(var->init);
+      give(made, var->type, var->init, var->loc, "'" + var->name + "'");
     }
-    return p;
+    return made;
   }
 
   void visit(const Expr *e, const Expr *parent = nullptr) {
@@ -305,6 +323,8 @@ private:
     for (size_t i = 0; i < e->args.size(); ++i)
       if (e->args[i]->type->kind == Type::Pointer)
         takeBack(callee->places[callee->function->params[i]]->target, v_.target(e->args[i]), e, met);
+      else if (e->args[i]->type->kind == Type::Struct)
+        takeBackMembers(find(callee->places[callee->function->params[i]]), v_.place(e->args[i]), e, met);
   }
 
   // What the callee does to the storage behind a pointer happens to the caller's; what is one place there is one here.
@@ -324,6 +344,18 @@ private:
         takeBack(field.second, ours->fields[field.first], e, met);
       else if (find(field.second)->written)
         write(ours, e->loc);
+  }
+
+  // A struct is passed by value, but not what its pointers lead to.
+  void takeBackMembers(Place *theirs, Place *ours, const Expr *e, std::map<Place *, Place *> &met) {
+    for (auto &field : theirs->fields) {
+      Place *mine = ours && ours->fields.count(field.first) ? find(ours->fields[field.first])->target : nullptr;
+      Place *target = find(field.second)->target;
+      if (mine)
+        takeBack(target, mine, e, met);
+      else if (target && find(target)->written && ours)
+        write(ours, e->loc);
+    }
   }
 
   // An active object must have a layout of jets.

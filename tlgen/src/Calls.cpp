@@ -124,11 +124,22 @@ bool isOwn(const c::FunctionDecl *callee, const MathFunction &math) {
   };
   if (callee->getNumParams() != static_cast<unsigned>(math.arity) || callee->isVariadic()) return false;
   for (unsigned i = 0; i < callee->getNumParams(); ++i) {
-    bool exponent = i == 1 && math.operation == std::string("scalbn");
+    bool exponent = i == 1 && math.operation && math.operation == std::string("scalbn");
     c::QualType type = callee->getParamDecl(i)->getType();
     if (exponent ? !type->isSpecificBuiltinType(c::BuiltinType::Int) : !fits(type)) return false;
   }
   return fits(callee->getReturnType()) || (math.kind != MathFunction::Smooth && callee->getReturnType()->isIntegerType());
+}
+
+// True where a declaration has the types of the definition, by their spelling since they may be of two translation units.
+bool sameTypes(const c::FunctionDecl *declared, const c::FunctionDecl *definition) {
+  auto spelling = [](c::QualType type) { return type.getCanonicalType().getUnqualifiedType().getAsString(); };
+  if (&declared->getASTContext() == &definition->getASTContext()) return true; // Clang has seen to it
+  bool same = declared->getNumParams() == definition->getNumParams() && declared->isVariadic() == definition->isVariadic() &&
+              spelling(declared->getReturnType()) == spelling(definition->getReturnType());
+  for (unsigned i = 0; same && i < declared->getNumParams(); ++i)
+    same = spelling(declared->getParamDecl(i)->getType()) == spelling(definition->getParamDecl(i)->getType());
+  return same;
 }
 
 // A name among a few, with or without the mark of a builtin.
@@ -231,6 +242,9 @@ Reach Calls::reachFunction(const c::FunctionDecl *callee, const c::CallExpr *cal
   std::string name = callee->getNameAsString();
   const c::FunctionDecl *definition = source_.definition(callee);
   const MathFunction *math = findMath(name);
+  const c::SourceManager &sm = callee->getASTContext().getSourceManager();
+  std::string file = sm.getFilename(sm.getSpellingLoc(callee->getLocation())).str(), generic = "/tgmath.h";
+  if (file.size() > generic.size() && file.compare(file.size() - generic.size(), generic.size(), generic) == 0) return r.kind = Reach::Generic, r;
   bool copies = isOne(name, {"memcpy", "memmove", "memset"}), builtin = name != mathName(name);
   if (!r.rule.empty())
     r.kind = Reach::Rule;
@@ -247,6 +261,7 @@ Reach Calls::reachFunction(const c::FunctionDecl *callee, const c::CallExpr *cal
   else if (!definition)
     r.kind = Reach::NoBody;
   else {
+    if (!sameTypes(callee, definition)) return r.kind = Reach::OtherTypes, r;
     Instance instance{definition, {}};
     if (call->getNumArgs() != definition->getNumParams() && !definition->isVariadic()) r.kind = Reach::NoBody; // not the one declared here
     if (r.kind == Reach::NoBody) return r;
@@ -256,8 +271,8 @@ Reach Calls::reachFunction(const c::FunctionDecl *callee, const c::CallExpr *cal
       if (isFunction && !bound) return {};
       instance.bound.push_back(bound);
     }
-    r.kind = Reach::Functions;
-    r.instances = {instance};
+    r.kind = Reach::Function;
+    r.instance = instance;
   }
   return r;
 }
@@ -272,9 +287,10 @@ Reach Calls::reach(const c::CallExpr *call) const {
   for (const c::Expr *value : s.values) {
     const c::FunctionDecl *callee = function(value);
     Reach one = callee ? reachFunction(callee, call) : Reach{};
-    if (one.kind != Reach::Functions) return one.kind == Reach::NoBody ? one : Reach{};
-    all.kind = Reach::Functions;
-    all.instances.push_back(one.instances[0]);
+    bool fits = one.kind == Reach::Function || one.kind == Reach::Math || one.kind == Reach::Rule;
+    if (!fits) return one.kind == Reach::NoBody ? one : Reach{};
+    all.kind = Reach::Choice;
+    all.options.push_back(one);
   }
   all.choice = s.choice;
   all.choiceIsCondition = s.isCondition;

@@ -38,14 +38,15 @@ struct BulkCopy {
 };
 
 struct Reach {
-  // Same: its first argument's value, as __builtin_expect. Nothing: __builtin_unreachable.
-  enum Kind { Math, Rule, Copy, Functions, Same, Nothing, NotFinite, NoBody, Unsettled } kind = Unsettled;
+  // Same: its first argument's value, as __builtin_expect. Nothing: __builtin_unreachable. Generic: of tgmath.h.
+  enum Kind { Math, Rule, Copy, Function, Choice, Same, Nothing, NotFinite, Generic, OtherTypes, NoBody, Unsettled } kind = Unsettled;
   const clang::FunctionDecl *callee = nullptr; // Math, Rule, Copy, NoBody
   std::string rule;                            // Rule: the function that fills the Taylor coefficients
   std::optional<BulkCopy> copy;                // Copy: none where the size is not one of whole objects
-  const clang::Expr *choice = nullptr;         // Functions: null, an index of instances, or
+  Instance instance;                           // Function
+  const clang::Expr *choice = nullptr;         // Choice: an index of options, or
   bool choiceIsCondition = false;              // a condition between two of them
-  std::vector<Instance> instances;             // Functions
+  std::vector<Reach> options;                  // Choice: Math, Rule or Function
 };
 
 class Calls {

@@ -4,6 +4,8 @@
 #include "Names.h"
 
 #include <algorithm>
+#include <functional>
+#include <set>
 
 namespace tlgen {
 namespace {
@@ -24,7 +26,7 @@ public:
     if (!prototypes.empty()) functions = prototypes + "\n" + functions;
     EmittedModel out;
     out.header = header();
-    out.source = title(".") + "#include \"" + headerName + "\"\n\n#include \"taylor/taylor.h\"\n\n" + records(false) + externals() +
+    out.source = title(".") + (userHeaders().empty() ? "" : "#define " + ownMark() + "\n") + "#include \"" + headerName + "\"\n\n#include \"taylor/taylor.h\"\n\n" + sourceRecords() + externals() +
                  tables() + functions + adapters() + description();
     return out;
   }
@@ -46,23 +48,71 @@ private:
     return file.size() > 2 && file.compare(file.size() - 2, 2, ".c") == 0;
   }
 
+  // The header's own structs and those that they consist of.
+  std::set<const Record *> needed() const {
+    std::set<const Record *> all;
+    std::function<void(const Record *)> take = [&](const Record *r) {
+      if (!all.insert(r).second) return;
+      for (const Field &field : r->fields) {
+        const Type *t = field.type;
+        while (t->kind == Type::Array) t = t->element;
+        if (t->kind == Type::Struct) take(t->record);
+      }
+    };
+    for (const Record *r : program_.records)
+      if (inHeader(r)) take(r);
+    return all;
+  }
+
   // Several models may be made of one file, and their headers included together.
   static std::string guarded(const Record *r) {
     std::string guard = "TLGEN_STRUCT_" + (r->tag.empty() ? r->spelling : r->tag);
     return "#ifndef " + guard + "\n#define " + guard + "\n" + definition(r) + "#endif\n\n";
   }
 
-  std::string records(bool header) const {
-    std::string s;
+  // The user's headers with structs that the header needs: whoever includes it may include them too.
+  std::string userHeaders() const {
+    std::vector<std::string> names;
     for (const Record *r : program_.records)
-      if (inHeader(r) == header) s += header ? guarded(r) : definition(r) + "\n";
+      if (needed().count(r) && !inHeader(r)) {
+        const std::string &name = program_.files[static_cast<size_t>(r->loc.file)];
+        if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
+      }
+    std::string s;
+    for (const std::string &name : names) s += "#include \"" + name + "\"\n";
     return s;
   }
+
+  std::string definitions(const std::set<const Record *> &of, bool guard) const {
+    std::string s;
+    for (const Record *r : program_.records)
+      if (of.count(r)) s += guard ? guarded(r) : definition(r) + "\n";
+    return s;
+  }
+
+  // All structs for the functions; for others the header's own, behind the headers of the rest.
+  std::string headerRecords() const {
+    std::set<const Record *> own, foreign;
+    for (const Record *r : needed()) (inHeader(r) ? own : foreign).insert(r);
+    std::string before;
+    if (!foreign.empty())
+      before = "#ifdef " + ownMark() + "\n" + definitions(foreign, false) + "#else\n" + userHeaders() + "#endif\n\n";
+    return before + definitions(own, true);
+  }
+
+  std::string sourceRecords() const {
+    std::set<const Record *> rest(program_.records.begin(), program_.records.end());
+    for (const Record *r : needed()) rest.erase(r);
+    return definitions(rest, false);
+  }
+
+  // Defined where the header is read by the model's own functions.
+  std::string ownMark() const { return "TLGEN_" + model_.name + "_FUNCTIONS"; }
 
   std::string header() const {
     std::string guard = model_.name + "_TL_H";
     std::transform(guard.begin(), guard.end(), guard.begin(), [](unsigned char ch) { return static_cast<char>(toupper(ch)); });
-    return title(".") + "#ifndef " + guard + "\n#define " + guard + "\n\n#include \"eom/model.h\"\n\n" + records(true) +
+    return title(".") + "#ifndef " + guard + "\n#define " + guard + "\n\n#include \"eom/model.h\"\n\n" + headerRecords() +
            "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\nextern const eom_model " + model_.name +
            "_model;\n\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
   }

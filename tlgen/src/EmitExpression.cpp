@@ -311,7 +311,7 @@ Text FunctionEmitter::value(const Expr *e) {
     const Expr *inner = e->args[0];
     bool plainInteger = inner->kind == Expr::Literal && inner->type->kind == Type::Integer &&
                         inner->text.find_first_not_of("0123456789") == std::string::npos;
-    if (plainInteger && e->type->kind == Type::Real) return {inner->text + ".0", Primary};
+    if (plainInteger && e->type->kind == Type::Real) return {inner->text + (isSingle(e->type) ? ".0f" : ".0"), Primary};
     if (plainInteger && e->type->kind == Type::Integer && integerSuffix(e->type->name))
       return {inner->text + integerSuffix(e->type->name), Primary};
     if (e->type->kind == Type::Pointer && inner->type->kind == Type::Pointer && !dropsConst(e)) return value(inner);

@@ -56,14 +56,19 @@ std::string FunctionEmitter::run() {
 
   std::string head = hoisted_;
   for (int i = 0; i < temporaries_; ++i) head += "  tl_real *const tmp" + std::to_string(i) + " = " + slot(slots_ + i) + ";\n";
-  std::string fallback = v_.function->result->kind == Type::Void || find(v_.result)->active ? "" : " 0";
-  if (frame && marked) fallback = ""; // nothing to give back yet
   if (frame)
-    head = "  tl_real *const frame = tl_push(cx, " + std::to_string(frame) + ");\n  if (!frame) return" + fallback + ";\n" + head;
+    head = "  tl_real *const frame = tl_push(cx, " + std::to_string(frame) + ");\n  if (!frame) return" + nothing() + ";\n" + head;
   if (marked) head = "  tl_real *const mark = cx->top;\n" + head;
   if (mentions(head + out_, "nc")) head = "  const ptrdiff_t nc = cx->shape->ncoef;\n" + head;
   if (v_.active() && !mentions(head + out_, "cx")) head = "  (void)cx;\n";
   return signature() + "\n{\n" + head + out_ + "}\n";
+}
+
+// What a function returns where there is no room for its jets.
+std::string FunctionEmitter::nothing() const {
+  const Type *type = v_.function->result;
+  if (type->kind == Type::Void || find(v_.result)->active) return "";
+  return type->kind == Type::Struct ? " (" + declaration(type, "") + ")" + zeroValue(type) : " 0";
 }
 
 // The place of a jet in the frame.
@@ -129,6 +134,7 @@ void FunctionEmitter::survey(const Stmt *s) {
   for (const Stmt *part : s->body) survey(part);
   survey(s->init);
   hoist_ |= s->kind == Stmt::Switch || s->kind == Stmt::Goto;
+  if (s->kind == Stmt::Goto) targets_.insert(s->label);
   if (s->kind == Stmt::Declare && s->expr) frame_.constants[s->var] = s->expr;
   if (s->kind == Stmt::Declare) surveyLengths(s->var->type);
   if (s->expr) survey(s->expr, s->kind != Stmt::Evaluate);
@@ -241,6 +247,7 @@ void FunctionEmitter::statement(const Stmt *s) {
     choice(s, nullptr);
     break;
   case Stmt::Label:
+    if (!targets_.count(s->label)) break;
     out_ += nameOf(s) + ":;\n";
     quoted_ = {};
     break;

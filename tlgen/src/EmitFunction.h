@@ -47,6 +47,7 @@ public:
 private:
   // Signature and frame
   std::string signature();
+  std::string nothing() const;
   std::string parameter(size_t i);
   void copyParameters();
   static std::string slot(long number);
@@ -144,7 +145,7 @@ private:
   bool hoist_ = false; // locals are placed at the top, since jumps may pass their declarations
   std::string hoisted_;
   std::map<const Variable *, std::string> renamed_;
-  std::set<std::string> hoistedNames_;
+  std::set<std::string> hoistedNames_, targets_; // targets_: labels that a goto names
   Loc quoted_;
   bool writesThroughPointer_ = false;
   std::set<const Variable *> assigned_, addressTaken_, read_, referenced_;

@@ -53,6 +53,8 @@ void FunctionEmitter::choose(const Stmt *s) {
   scopes_.push_back({Scope::Switch, ""});
   const Stmt *before = nullptr;
   for (const Stmt *part : s->then->body) {
+    bool reached = before || part->kind == Stmt::Case || part->kind == Stmt::Declare;
+    if (!reached) continue; // no case leads there
     if (part->kind == Stmt::Case) {
       choice(part, before);
     } else {
@@ -81,14 +83,19 @@ void FunctionEmitter::choice(const Stmt *s, const Stmt *before) {
 void FunctionEmitter::declare(const Stmt *s) {
   const Variable *var = s->var;
   std::string name = nameOf(var);
-  if (var->isStatic) return line("static " + declaration(var->type, name) + " = " + initializer(var->init) + ";");
   bool unread = !read_.count(var);
+  if (var->isStatic) {
+    line("static " + declaration(var->type, name) + " = " + initializer(var->init) + ";");
+    return unread ? line("(void)" + name + ";") : void();
+  }
   if (!v_.active(var)) {
     std::string init;
     if (s->expr && s->expr->kind == Expr::InitList)
       init = " = " + value(s->expr).s;
     else if (s->expr)
       init = " = " + operand(value(s->expr), Assignment);
+    else if (var->type->kind == Type::Integer)
+      init = " = 0"; // no wild index where a callee ends early for want of space
     line(passiveDeclaration(var->type, name) + init + ";");
   } else if (!holdsNumbers(var->type)) {
     std::string init;
@@ -144,10 +151,9 @@ void FunctionEmitter::variableArray(const Variable *var) {
   std::string name = nameOf(var);
   frame_.arrays.push_back(var);
   line("tl_real *const " + name + " = tl_push(cx, (size_t)" + operand(jetCount(var->type), Prefix) + ");");
-  std::string fallback = v_.function->result->kind == Type::Void || find(v_.result)->active ? "" : " 0";
   line("if (!" + name + ") {");
   line("  cx->top = mark;");
-  line("  return" + fallback + ";");
+  line("  return" + nothing() + ";");
   line("}");
 }
 
@@ -396,7 +402,8 @@ void FunctionEmitter::returns(const Stmt *s) {
     line("tl_pop(cx, @FRAME@);");
     return line("return;");
   }
-  if (!s->expr) {
+  if (s->expr && s->expr->type->kind == Type::Void) evaluate(s->expr);
+  if (!s->expr || s->expr->type->kind == Type::Void) {
     line("tl_pop(cx, @FRAME@);");
     return line("return;");
   }

@@ -85,6 +85,7 @@ private:
   Expr *castOf(const c::CastExpr *e);
   Expr *unary(const c::UnaryOperator *e);
   Expr *callOf(const c::CallExpr *e);
+  Expr *settledCall(const c::CallExpr *e, const Reach &reach, const std::vector<Expr *> &args);
   Expr *chosenCall(const c::CallExpr *e, const Reach &reach, const std::vector<Expr *> &args);
   Expr *externalCall(const c::CallExpr *e, const Reach &reach, std::vector<Expr *> args);
   Stmt *copyOf(const c::CallExpr *e, const BulkCopy &copy);
@@ -94,6 +95,8 @@ private:
   Expr *characterOf(const c::CharacterLiteral *e);
   Expr *compound(const c::CompoundAssignOperator *e);
   static std::string nameOf(const c::FieldDecl *field);
+  const Type *room(const c::FieldDecl *field);
+  Expr *characters(const c::StringLiteral *e);
   Expr *node(Expr::Kind kind, const c::Expr *e, std::vector<Expr *> args, const std::string &text = "");
   Stmt *node(Stmt::Kind kind, const c::Stmt *s) {
     Stmt n;
@@ -169,7 +172,7 @@ const Record *Lowering::record(const c::RecordDecl *decl) {
   r->tag = tag;
   r->loc = loc(decl->getLocation());
   if (decl->isCompleteDefinition())
-    for (const c::FieldDecl *field : decl->fields()) r->fields.push_back({nameOf(field), type(field->getType())});
+    for (const c::FieldDecl *field : decl->fields()) r->fields.push_back({nameOf(field), refusedType(field->getType()) ? room(field) : type(field->getType())});
   for (int n = 2; const Record *other = sameName(*r); ++n) {
     if (sameFields(*r, *other)) return records_[decl] = other; // of another translation unit
     std::string end = "_" + std::to_string(n);                 // of another scope
@@ -178,6 +181,17 @@ const Record *Lowering::record(const c::RecordDecl *decl) {
   }
   program_.records.push_back(r); // after the records that its fields need
   return r;
+}
+
+// A member that nobody may touch: what keeps its place.
+const Type *Lowering::room(const c::FieldDecl *field) {
+  Type t, element;
+  t.kind = field->getType()->isPointerType() ? Type::Pointer : Type::Array;
+  element.kind = t.kind == Type::Pointer ? Type::Void : Type::Integer;
+  element.name = "_Alignas(" + std::to_string(context_->getTypeAlignInChars(field->getType()).getQuantity()) + ") unsigned char";
+  t.count = static_cast<long>(context_->getTypeSizeInChars(field->getType()).getQuantity());
+  t.element = program_.make(std::move(element));
+  return program_.make(std::move(t));
 }
 
 // A member without a name stands for the struct that it is.
@@ -425,28 +439,27 @@ Expr *Lowering::callOf(const c::CallExpr *e) {
   std::vector<Expr *> args;
   for (const c::Expr *arg : e->arguments())
     if (!holdsFunction(arg->getType())) args.push_back(expr(arg));
-  if (reach.kind == Reach::Same) return args[0];
-  if (reach.kind == Reach::Functions) return chosenCall(e, reach, args);
-  if (reach.kind == Reach::Rule) return externalCall(e, reach, std::move(args));
-  return node(Expr::MathCall, e, std::move(args), mathName(reach.callee->getNameAsString()));
+  return reach.kind == Reach::Same ? args[0] : reach.kind == Reach::Choice ? chosenCall(e, reach, args) : settledCall(e, reach, args);
 }
 
-// One call, or a choice between calls: the condition's, or by comparing the index; past the last but one it is the last.
+Expr *Lowering::settledCall(const c::CallExpr *e, const Reach &reach, const std::vector<Expr *> &args) {
+  if (reach.kind == Reach::Rule) return externalCall(e, reach, args);
+  if (reach.kind == Reach::Math) return node(Expr::MathCall, e, args, mathName(reach.callee->getNameAsString()));
+  Expr *call = node(Expr::Call, e, args);
+  call->callee = functions_.at(reach.instance);
+  return call;
+}
+
+// A choice between calls: the condition's, or by comparing the index; past the last but one it is the last.
 Expr *Lowering::chosenCall(const c::CallExpr *e, const Reach &reach, const std::vector<Expr *> &args) {
-  Expr *chain = nullptr;
-  for (size_t i = reach.instances.size(); i-- > 0;) {
-    Expr *call = node(Expr::Call, e, args);
-    call->callee = functions_.at(reach.instances[i]);
-    if (!chain) {
-      chain = call;
-      continue;
-    }
+  Expr *chain = settledCall(e, reach.options.back(), args);
+  for (size_t i = reach.options.size() - 1; i-- > 0;) {
     Expr *test = expr(reach.choice);
     if (!reach.choiceIsCondition) {
       Expr *number = node(Expr::Literal, reach.choice, {}, std::to_string(i) + suffix(reach.choice->getType()));
       test = node(Expr::Binary, reach.choice, {test, number}, "==");
     }
-    chain = node(Expr::Conditional, e, {test, call, chain});
+    chain = node(Expr::Conditional, e, {test, settledCall(e, reach.options[i], args), chain});
   }
   return chain;
 }
@@ -466,6 +479,17 @@ Expr *Lowering::initList(const c::InitListExpr *e) {
     items.push_back(left ? nullptr : expr(item));
   }
   return node(Expr::InitList, e, std::move(items));
+}
+
+// The list of characters that a string is as an initialiser: as many as the array has.
+Expr *Lowering::characters(const c::StringLiteral *e) {
+  Expr *list = node(Expr::InitList, e, {});
+  for (long i = 0; i < list->type->count; ++i) {
+    Expr *item = node(Expr::Literal, e, {}, std::to_string(static_cast<signed char>(i < static_cast<long>(e->getLength()) ? e->getCodeUnit(static_cast<unsigned>(i)) : 0)));
+    item->type = list->type->element;
+    list->args.push_back(item);
+  }
+  return list;
 }
 
 Expr *Lowering::characterOf(const c::CharacterLiteral *e) {
@@ -497,6 +521,7 @@ Expr *Lowering::expr(const c::Expr *e) {
     return node(Expr::Literal, e, {}, text.str().str() + suffix(e->getType()));
   }
   if (const auto *lit = llvm::dyn_cast<c::CharacterLiteral>(e)) return characterOf(lit);
+  if (const auto *text = llvm::dyn_cast<c::StringLiteral>(e)) return characters(text);
   if (const auto *lit = llvm::dyn_cast<c::FloatingLiteral>(e)) {
     bool isFloat = e->getType()->isSpecificBuiltinType(c::BuiltinType::Float);
     double value = isFloat ? static_cast<double>(lit->getValue().convertToFloat()) : lit->getValue().convertToDouble();

@@ -28,6 +28,7 @@ Text binaryText(const std::string &op, const Text &a, const Text &b) {
   if (p == Or) least = Equality;
   int right = arithmetic ? p + 1 : least;
   if (op == ",") return {operand(a, Sequence) + ", " + operand(b, Assignment), p};
+  if ((p == Relation || p == Equality) && (a.s[0] == '!')) return binaryText(op, {"(" + a.s + ")", Primary}, b);
   std::string left = operand(a, p == And && a.precedence == And ? And : p == Or && a.precedence == Or ? Or : p == And ? BitOr : least);
   std::string r = operand(b, p == And ? BitOr : right);
   return {left + " " + op + " " + r, p};
@@ -62,17 +63,16 @@ std::string definition(const Record *record) {
   return s + (anonymous ? "} " + record->spelling : "}") + ";\n";
 }
 
-// All members are named: compilers warn where an initialiser leaves some out.
-static std::string zero(const Type *type) {
-  if (type->kind == Type::Array) return "{" + zero(type->element) + "}";
+std::string zeroValue(const Type *type) {
+  if (type->kind == Type::Array) return "{" + zeroValue(type->element) + "}";
   if (type->kind != Type::Struct) return "0";
   std::string s;
-  for (const Field &field : type->record->fields) s += (s.empty() ? "" : ", ") + zero(field.type);
+  for (const Field &field : type->record->fields) s += (s.empty() ? "" : ", ") + zeroValue(field.type);
   return "{" + s + "}";
 }
 
 std::string zeroItem(const Type *type, size_t i) {
-  return zero(type->kind == Type::Array ? type->element : type->kind == Type::Struct ? type->record->fields[i].type : type);
+  return zeroValue(type->kind == Type::Array ? type->element : type->kind == Type::Struct ? type->record->fields[i].type : type);
 }
 
 std::string initializer(const Expr *e) {
@@ -105,6 +105,10 @@ std::string initializer(const Expr *e) {
     return initializer(e->args[0]) + "[" + initializer(e->args[1]) + "]";
   case Expr::Decay:
     return initializer(e->args[0]);
+  case Expr::AddressOf:
+    return "&" + initializer(e->args[0]);
+  case Expr::Member:
+    return initializer(e->args[0]) + "." + e->text;
   default:
     std::abort(); // Subset lets no other kind into a constant
   }

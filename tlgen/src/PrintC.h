@@ -48,6 +48,9 @@ std::string definition(const Record *record);
 // A literal or initialiser list without active values.
 std::string initializer(const Expr *e);
 
+// The initialiser of an object of zeros, all members named: compilers warn where one leaves some out.
+std::string zeroValue(const Type *type);
+
 // What stands for an item that an initialiser list of that type leaves out.
 std::string zeroItem(const Type *type, size_t i);
 

@@ -20,7 +20,12 @@ Source::Source(const std::vector<clang::ASTUnit *> &units, Diagnostics &diags) :
       const auto *function = llvm::dyn_cast<clang::FunctionDecl>(decl);
       if (!function || !function->doesThisDeclarationHaveABody()) continue;
       definitions_.push_back(function);
-      byName_.emplace(function->getNameAsString(), function);
+      auto known = byName_.emplace(function->getNameAsString(), function);
+      const clang::FunctionDecl *first = known.first->second;
+      if (known.second || !function->isExternallyVisible()) continue;
+      if (first->isExternallyVisible() && place(first) != place(function)) // not one from a common header
+        report("defined-twice", function->getASTContext(), function->getLocation(), "'" + function->getNameAsString() + "'");
+      known.first->second = function;
     }
 }
 
@@ -56,6 +61,10 @@ std::vector<std::string> Source::systemHeaders(size_t unit) const {
     if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   return names;
+}
+
+std::string Source::place(const clang::FunctionDecl *function) {
+  return function->getLocation().printToString(function->getASTContext().getSourceManager());
 }
 
 void Source::report(const char *id, const clang::ASTContext &context, clang::SourceLocation at, const std::string &what) const {

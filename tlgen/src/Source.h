@@ -37,6 +37,8 @@ public:
 
 private:
   std::vector<clang::ASTUnit *> units_;
+  static std::string place(const clang::FunctionDecl *function);
+
   std::vector<const clang::FunctionDecl *> definitions_;
   std::map<std::string, const clang::FunctionDecl *> byName_;
   Diagnostics &diags_;

@@ -28,27 +28,29 @@ const Attr *otherMeaning(const Decl *decl) {
   return nullptr;
 }
 
-// The id of the message that refuses a type, or null where it is accepted as a variable's.
-const char *refusedType(QualType type) {
+// See refusedType: behind a pointer, and which structs are being looked at.
+const char *refused(QualType type, bool behind, std::set<const RecordDecl *> &seen) {
   if (type.isVolatileQualified()) return "volatile";
   if (type->isAtomicType()) return "atomic";
   if (type->isAnyComplexType()) return "complex";
   if (type->isSpecificBuiltinType(BuiltinType::LongDouble)) return "long-double";
   if (type->isFunctionPointerType()) return nullptr; // what is done with it decides
   if (const auto *array = type->getAsArrayTypeUnsafe())
-    return isa<ConstantArrayType>(array) || isa<VariableArrayType>(array) ? refusedType(array->getElementType()) : "type";
-  if (type->isPointerType()) return type->getPointeeType()->isVoidType() ? "type" : refusedType(type->getPointeeType());
+    return isa<ConstantArrayType>(array) || isa<VariableArrayType>(array) ? refused(array->getElementType(), behind, seen) : "type";
+  if (type->isPointerType()) return type->getPointeeType()->isVoidType() ? "type" : refused(type->getPointeeType(), true, seen);
   if (type->isUnionType()) return "union";
   if (const auto *record = type->getAs<RecordType>()) {
     const RecordDecl *def = record->getDecl()->getDefinition();
     if (!def) return "type";
+    if (!seen.insert(def).second) return nullptr;
     if (otherMeaning(def)) return "attribute";
     for (const FieldDecl *field : def->fields()) {
       if (field->isBitField()) return "type";
       if (otherMeaning(field)) return "attribute";
-      bool self = field->getType()->isPointerType() && field->getType()->getPointeeType()->getAs<RecordType>();
-      if (self) continue;
-      if (const char *id = refusedType(field->getType())) return id;
+      QualType t = field->getType();
+      const char *id = refused(t, behind, seen);
+      bool bytes = behind && t->isConstantSizeType() && !t->isIncompleteType(); // it can stay, untouched
+      if (id && !bytes) return id;
     }
     return nullptr;
   }
@@ -88,7 +90,7 @@ public:
   // Of a copy of whole objects, the pointers as they were before they lost their types.
   bool TraverseCallExpr(CallExpr *call, DataRecursionQueue * = nullptr) {
     Reach reach = calls_.reach(call);
-    if (reach.kind == Reach::NotFinite) return VisitCallExpr(call);
+    if (reach.kind == Reach::NotFinite || reach.kind == Reach::Generic) return VisitCallExpr(call);
     if (reach.kind != Reach::Copy) return RecursiveASTVisitor::TraverseCallExpr(call);
     if (!statements_.count(call)) report("unsupported", call->getBeginLoc(), "the value of '" + spelling(call) + "'");
     if (!reach.copy) report("bulk-copy", call->getBeginLoc(), "'" + spelling(call) + "'");
@@ -130,6 +132,12 @@ public:
     if (v->isStaticLocal() && !deepConst(v->getType())) report("global-state", v->getLocation(), "static variable " + name);
     if (v->hasExternalStorage()) report("global-state", v->getLocation(), "extern variable " + name);
     if (v->getInit() && holdsFunction(v->getType())) settled(v->getInit());
+    if (v->getInit()) noteString(v->getInit());
+    return true;
+  }
+
+  bool VisitMemberExpr(MemberExpr *e) {
+    if (const char *id = refusedType(e->getType())) report(id, e->getMemberLoc(), "member '" + e->getMemberDecl()->getNameAsString() + "'");
     return true;
   }
 
@@ -158,12 +166,24 @@ public:
       break;
     case Reach::Copy: // see TraverseCallExpr
       break;
-    case Reach::Functions:
-      if (reach.choice && call->getType()->isVoidType() && !statements_.count(call)) report("unsupported", call->getBeginLoc(), name);
-      callees_.insert(reach.instances.begin(), reach.instances.end());
+    case Reach::Choice:
+      if (call->getType()->isVoidType() && !statements_.count(call)) report("unsupported", call->getBeginLoc(), name);
+      for (const Reach &option : reach.options) {
+        if (option.kind == Reach::Function) callees_.insert(option.instance);
+        if (option.kind == Reach::Rule) checkExternal(option.callee, call);
+      }
+      break;
+    case Reach::Function:
+      callees_.insert(reach.instance);
       break;
     case Reach::Same:
     case Reach::Nothing:
+      break;
+    case Reach::OtherTypes:
+      report("declaration-differs", call->getBeginLoc(), name);
+      break;
+    case Reach::Generic:
+      report("tgmath", call->getBeginLoc(), "'" + spelling(call) + "'");
       break;
     case Reach::NotFinite:
       report("not-finite", call->getBeginLoc(), name);
@@ -191,6 +211,11 @@ private:
     const auto *record = type->getAs<RecordType>();
     const RecordDecl *def = record ? record->getDecl()->getDefinition() : nullptr;
     return def && std::any_of(def->field_begin(), def->field_end(), [](const FieldDecl *f) { return holdsFunction(f->getType()); });
+  }
+
+  // A string that initialises an array is a list of its characters.
+  void noteString(const Expr *init) {
+    if (const auto *text = dyn_cast<StringLiteral>(init->IgnoreParens())) strings_.insert(text);
   }
 
   // An external function with a rule computes a number from numbers.
@@ -228,6 +253,7 @@ private:
     if (const auto *choice = dyn_cast<SwitchCase>(s)) return cases_.count(choice) ? nullptr : "switch";
     if (const auto *choice = dyn_cast<SwitchStmt>(s)) return isa<CompoundStmt>(choice->getBody()) ? nullptr : "switch";
     if (isa<LabelStmt>(s)) return nullptr;
+    if (isa<StringLiteral>(s) && strings_.count(s)) return nullptr;
     if (isa<AsmStmt>(s)) return "asm";
     if (isa<VAArgExpr>(s)) return "variadic";
     if (isa<CompoundStmt>(s) || isa<DeclStmt>(s) || isa<IfStmt>(s) || isa<ForStmt>(s) || isa<WhileStmt>(s) || isa<DoStmt>(s) ||
@@ -269,7 +295,7 @@ private:
   }
 
   static const char *refusedCast(const CastExpr *c) {
-    if (pointsToVolatile(c->getType())) return "volatile";
+    if (isa<CStyleCastExpr>(c) && pointsToVolatile(c->getType())) return "volatile";
     switch (c->getCastKind()) {
     case CK_LValueToRValue:
     case CK_NoOp:
@@ -322,7 +348,8 @@ private:
   // const all the way down: no pointer to something that could be written.
   bool deepConst(QualType type) const {
     type = context_.getBaseElementType(type);
-    return type.isConstQualified() && (!type->isPointerType() || Calls::isFunctionPointer(type));
+    bool fixed = !type->isPointerType() || Calls::isFunctionPointer(type) || deepConst(type->getPointeeType());
+    return type.isConstQualified() && fixed;
   }
 
   void checkGlobal(const VarDecl *v, SourceLocation at) {
@@ -333,6 +360,7 @@ private:
     if (const char *id = refusedType(v->getType())) return report(id, at, name);
     if (!visitedGlobals_.insert(def).second) return;
     if (holdsFunction(def->getType())) settled(def->getInit());
+    noteString(def->getInit());
     TraverseStmt(const_cast<Expr *>(def->getInit()));
   }
 
@@ -353,7 +381,7 @@ private:
   Calls calls_;
   std::set<Instance> &callees_;
   std::set<const DeclRefExpr *> settled_;
-  std::set<const Stmt *> statements_;
+  std::set<const Stmt *> statements_, strings_;
   std::set<const SwitchCase *> cases_;
   std::set<const GotoStmt *> jumps_;
   std::vector<const CompoundStmt *> blocks_;
@@ -414,6 +442,11 @@ private:
 };
 
 } // namespace
+
+const char *refusedType(QualType type) {
+  std::set<const RecordDecl *> seen;
+  return refused(type, false, seen);
+}
 
 std::vector<Instance> checkSubset(const Source &source, const Match &match) {
   Subset subset(source, match);

@@ -2,17 +2,17 @@
 extern double other(double x) __asm__("sin");
 static double scaled(double x)
 {
-  __asm__ volatile("" : "+x"(x)); /* expect: asm unsupported */
+  __asm__ volatile("" : "+x"(x)); /* expect: asm */
   return x;
 }
 static double fenced(double x)
 {
-  __asm__ volatile("" ::: "memory"); /* expect: asm unsupported */
+  __asm__ volatile("" ::: "memory"); /* expect: asm */
   return x;
 }
 static double jumped(double x)
 {
-  __asm__ goto("" :::: out); /* expect: asm unsupported */
+  __asm__ goto("" :::: out); /* expect: asm */
   x *= 2;
 out:
   return x;

@@ -4,7 +4,6 @@ double L(const double *q)
 {
   const long *bits = (const long *)q;      /* expect: pointer-cast */
   uintptr_t address = (uintptr_t)q;        /* expect: pointer-cast */
-  const double *none = 0;                  /* expect: unsupported */
   const double *back = (double *)address;  /* expect: pointer-cast */
-  return back[0] + (double)*bits + *none;
+  return back[0] + (double)*bits;
 }

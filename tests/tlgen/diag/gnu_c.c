@@ -20,5 +20,5 @@ static double open_end(const struct open *o) { return o->x[0]; } /* expect: type
 double L(const double *q)
 {
   return vector(q[0]) + chosen(q[0]) + generic(q[0]) + elvis(q[0]) + extended(q[0])
-         + bits(q[0]) + open_end(0); /* expect: unsupported */
+         + bits(q[0]) + open_end(0);
 }

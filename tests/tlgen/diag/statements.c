@@ -10,7 +10,7 @@ again:
   case 0: s += 1.0; break;
   default: if (s > 0) { case 1: s += 2.0; } /* expect: switch */
   }
-  __asm__("nop");                          /* expect: asm unsupported */
+  __asm__("nop");                          /* expect: asm */
   s += _Generic(s, double: 1.0, int: 2.0); /* expect: unsupported */
   s += "text"[0];                          /* expect: unsupported */
   return s;

@@ -2,7 +2,7 @@
 #include <tgmath.h>
 double L(const double *q)
 {
-  double s = sin(q[0]); /* expect: unknown-function */
-  s += pow(q[0], 2);    /* expect: unknown-function */
+  double s = sin(q[0]); /* expect: tgmath */
+  s += pow(q[0], 2);    /* expect: tgmath */
   return s;
 }
