@@ -118,7 +118,8 @@ bool isOwn(const c::FunctionDecl *callee, const MathFunction &math) {
   std::string name = callee->getNameAsString();
   if (callee->hasAttr<c::AsmLabelAttr>()) return false;
   if (name != mathName(name)) return true; // a builtin
-  bool single = name != math.name, integers = math.name == std::string("abs") || math.name == std::string("labs") || math.name == std::string("llabs");
+  bool single = name != math.name,
+       integers = math.name == std::string("abs") || math.name == std::string("labs") || math.name == std::string("llabs");
   auto fits = [&](c::QualType type) {
     return type->isSpecificBuiltinType(single ? c::BuiltinType::Float : c::BuiltinType::Double) || (integers && type->isIntegerType());
   };
@@ -244,7 +245,8 @@ Reach Calls::reachFunction(const c::FunctionDecl *callee, const c::CallExpr *cal
   const MathFunction *math = findMath(name);
   const c::SourceManager &sm = callee->getASTContext().getSourceManager();
   std::string file = sm.getFilename(sm.getSpellingLoc(callee->getLocation())).str(), generic = "/tgmath.h";
-  if (file.size() > generic.size() && file.compare(file.size() - generic.size(), generic.size(), generic) == 0) return r.kind = Reach::Generic, r;
+  if (file.size() > generic.size() && file.compare(file.size() - generic.size(), generic.size(), generic) == 0)
+    return r.kind = Reach::Generic, r;
   bool copies = isOne(name, {"memcpy", "memmove", "memset"}), builtin = name != mathName(name);
   if (!r.rule.empty())
     r.kind = Reach::Rule;
@@ -263,7 +265,8 @@ Reach Calls::reachFunction(const c::FunctionDecl *callee, const c::CallExpr *cal
   else {
     if (!sameTypes(callee, definition)) return r.kind = Reach::OtherTypes, r;
     Instance instance{definition, {}};
-    if (call->getNumArgs() != definition->getNumParams() && !definition->isVariadic()) r.kind = Reach::NoBody; // not the one declared here
+    if (call->getNumArgs() != definition->getNumParams() && !definition->isVariadic())
+      r.kind = Reach::NoBody; // not the one declared here
     if (r.kind == Reach::NoBody) return r;
     for (unsigned i = 0; i < definition->getNumParams(); ++i) {
       bool isFunction = isFunctionPointer(definition->getParamDecl(i)->getType());

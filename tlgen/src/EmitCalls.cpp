@@ -26,8 +26,9 @@ public:
     if (!prototypes.empty()) functions = prototypes + "\n" + functions;
     EmittedModel out;
     out.header = header();
-    out.source = title(".") + (userHeaders().empty() ? "" : "#define " + ownMark() + "\n") + "#include \"" + headerName + "\"\n\n#include \"taylor/taylor.h\"\n\n" + sourceRecords() + externals() +
-                 tables() + functions + adapters() + description();
+    out.source = title(".") + (userHeaders().empty() ? "" : "#define " + ownMark() + "\n") + "#include \"" + headerName +
+                 "\"\n\n#include \"taylor/taylor.h\"\n\n" + sourceRecords() + externals() + tables() + functions + adapters() +
+                 description();
     return out;
   }
 

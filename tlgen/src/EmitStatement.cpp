@@ -48,7 +48,8 @@ std::string FunctionEmitter::nameOf(const Stmt *label) { return label->label + "
 
 void FunctionEmitter::choose(const Stmt *s) {
   Text selector = value(s->expr);
-  bool truth = selector.precedence == Relation || selector.precedence == Equality || selector.precedence == And || selector.precedence == Or;
+  bool truth =
+      selector.precedence == Relation || selector.precedence == Equality || selector.precedence == And || selector.precedence == Or;
   line("switch (" + (truth ? "(int)" + operand(selector, Prefix) : selector.s) + ") {");
   scopes_.push_back({Scope::Switch, ""});
   const Stmt *before = nullptr;

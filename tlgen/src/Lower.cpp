@@ -97,6 +97,7 @@ private:
   static std::string nameOf(const c::FieldDecl *field);
   const Type *room(const c::FieldDecl *field);
   Expr *characters(const c::StringLiteral *e);
+  Expr *sizeOf(const c::UnaryExprOrTypeTraitExpr *e, c::QualType of);
   Expr *node(Expr::Kind kind, const c::Expr *e, std::vector<Expr *> args, const std::string &text = "");
   Stmt *node(Stmt::Kind kind, const c::Stmt *s) {
     Stmt n;
@@ -172,7 +173,8 @@ const Record *Lowering::record(const c::RecordDecl *decl) {
   r->tag = tag;
   r->loc = loc(decl->getLocation());
   if (decl->isCompleteDefinition())
-    for (const c::FieldDecl *field : decl->fields()) r->fields.push_back({nameOf(field), refusedType(field->getType()) ? room(field) : type(field->getType())});
+    for (const c::FieldDecl *field : decl->fields())
+      r->fields.push_back({nameOf(field), refusedType(field->getType()) ? room(field) : type(field->getType())});
   for (int n = 2; const Record *other = sameName(*r); ++n) {
     if (sameFields(*r, *other)) return records_[decl] = other; // of another translation unit
     std::string end = "_" + std::to_string(n);                 // of another scope
@@ -363,7 +365,17 @@ Stmt *Lowering::stmt(const c::Stmt *s) {
 
 // An expression for its effects: a choice between two of them is a branch.
 Stmt *Lowering::evaluation(const c::Stmt *s, Expr *value) {
-  bool choice = value->kind == Expr::Conditional;
+  bool choice = value->kind == Expr::Conditional, flag = value->kind == Expr::Step && value->type->name == "_Bool";
+  if (flag) { // b++ is 1, b-- the opposite: compilers warn of arithmetic on truth values
+    Expr *b = value->args[0], *next = program_.make(Expr{*b});
+    next->kind = value->text == "++" ? Expr::Literal : Expr::Unary;
+    next->text = value->text == "++" ? "1" : "!";
+    next->args.clear();
+    if (value->text != "++") next->args = {b};
+    value->kind = Expr::Assign;
+    value->text = "=";
+    value->args = {b, next};
+  }
   Stmt *n = node(choice ? Stmt::If : Stmt::Evaluate, s);
   n->expr = choice ? value->args[0] : value;
   if (choice) n->then = evaluation(s, value->args[1]), n->otherwise = evaluation(s, value->args[2]);
@@ -481,11 +493,23 @@ Expr *Lowering::initList(const c::InitListExpr *e) {
   return node(Expr::InitList, e, std::move(items));
 }
 
+// In bytes; of an array of variable length its length times that of an element.
+Expr *Lowering::sizeOf(const c::UnaryExprOrTypeTraitExpr *e, c::QualType of) {
+  if (const auto *array = context_->getAsVariableArrayType(of)) {
+    Expr *length = node(Expr::Cast, e, {expr(array->getSizeExpr())});
+    return node(Expr::Binary, e, {length, sizeOf(e, array->getElementType())}, "*");
+  }
+  c::CharUnits size = e->getKind() == c::UETT_SizeOf ? context_->getTypeSizeInChars(of) : context_->getTypeAlignInChars(of);
+  return node(Expr::Literal, e, {}, std::to_string(size.getQuantity()) + suffix(e->getType()));
+}
+
 // The list of characters that a string is as an initialiser: as many as the array has.
 Expr *Lowering::characters(const c::StringLiteral *e) {
   Expr *list = node(Expr::InitList, e, {});
   for (long i = 0; i < list->type->count; ++i) {
-    Expr *item = node(Expr::Literal, e, {}, std::to_string(static_cast<signed char>(i < static_cast<long>(e->getLength()) ? e->getCodeUnit(static_cast<unsigned>(i)) : 0)));
+    Expr *item = node(
+        Expr::Literal, e, {},
+        std::to_string(static_cast<signed char>(i < static_cast<long>(e->getLength()) ? e->getCodeUnit(static_cast<unsigned>(i)) : 0)));
     item->type = list->type->element;
     list->args.push_back(item);
   }
@@ -527,13 +551,7 @@ Expr *Lowering::expr(const c::Expr *e) {
     double value = isFloat ? static_cast<double>(lit->getValue().convertToFloat()) : lit->getValue().convertToDouble();
     return node(Expr::Literal, e, {}, printDouble(value) + (isFloat ? "f" : ""));
   }
-  if (const auto *size = llvm::dyn_cast<c::UnaryExprOrTypeTraitExpr>(e)) {
-    c::Expr::EvalResult result;
-    size->EvaluateAsInt(result, *context_);
-    llvm::SmallString<24> text;
-    result.Val.getInt().toString(text, 10);
-    return node(Expr::Literal, e, {}, text.str().str() + suffix(e->getType()));
-  }
+  if (const auto *size = llvm::dyn_cast<c::UnaryExprOrTypeTraitExpr>(e)) return sizeOf(size, size->getTypeOfArgument());
   if (const auto *ref = llvm::dyn_cast<c::DeclRefExpr>(e)) {
     if (const auto *constant = llvm::dyn_cast<c::EnumConstantDecl>(ref->getDecl())) {
       llvm::SmallString<24> text;

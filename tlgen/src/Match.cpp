@@ -185,8 +185,7 @@ private:
     bool out = seen[static_cast<int>(ArgRole::Out)];
     std::string name = "'" + m.function->getNameAsString() + "'";
     bool silent = m.function->getReturnType()->isVoidType() || m.function->getReturnType()->isIntegerType(); // a code of success
-    if (returns == out || (!returns && !silent))
-      fault("role-missing", m.function, name + " has no result, or two");
+    if (returns == out || (!returns && !silent)) fault("role-missing", m.function, name + " has no result, or two");
     if (m.role == Role::Force && !out) fault("role-missing", m.function, name + " has no 'out'");
     if (!seen[static_cast<int>(ArgRole::Q)] && !seen[static_cast<int>(ArgRole::Qd)])
       fault("role-missing", m.function, name + " takes no coordinates");

@@ -18,9 +18,12 @@ using clang::Stmt;
 // The attribute of a declaration that may change what it means; null where there is none.
 const Attr *otherMeaning(const Decl *decl) {
   static const std::set<std::string> harmless = {
-      "unused",  "maybe_unused", "used",       "always_inline", "noinline", "const",     "pure",    "hot",  "cold",       "nonnull",
-      "nothrow", "deprecated",   "annotate",   "gnu_inline",    "leaf",     "malloc",    "flatten", "artificial", "section", "visibility",
-      "minsize", "optnone",      "no_sanitize", "target",       "warn_unused_result", "returns_nonnull", "nodiscard", "noclone"};
+      "unused",          "maybe_unused", "used",        "always_inline", "noinline",
+      "const",           "pure",         "hot",         "cold",          "nonnull",
+      "nothrow",         "deprecated",   "annotate",    "gnu_inline",    "leaf",
+      "malloc",          "flatten",      "artificial",  "section",       "visibility",
+      "minsize",         "optnone",      "no_sanitize", "target",        "warn_unused_result",
+      "returns_nonnull", "nodiscard",    "noclone"};
   for (const Attr *a : decl->attrs()) {
     bool packing = isa<MaxFieldAlignmentAttr>(a);
     if ((packing || !a->isImplicit()) && !isa<AsmLabelAttr>(a) && !harmless.count(a->getSpelling())) return a;
@@ -137,7 +140,8 @@ public:
   }
 
   bool VisitMemberExpr(MemberExpr *e) {
-    if (const char *id = refusedType(e->getType())) report(id, e->getMemberLoc(), "member '" + e->getMemberDecl()->getNameAsString() + "'");
+    if (const char *id = refusedType(e->getType()))
+      report(id, e->getMemberLoc(), "member '" + e->getMemberDecl()->getNameAsString() + "'");
     return true;
   }
 
@@ -261,8 +265,6 @@ private:
       return nullptr;
     if (isa<CastExpr>(s)) return refusedCast(cast<CastExpr>(s));
     if (const auto *op = dyn_cast<UnaryOperator>(s)) return refusedUnary(op);
-    if (const auto *size = dyn_cast<UnaryExprOrTypeTraitExpr>(s))
-      if (size->getTypeOfArgument()->isVariablyModifiedType()) return "vla";
     if (isa<IntegerLiteral>(s) || isa<FloatingLiteral>(s) || isa<CharacterLiteral>(s) || isa<ParenExpr>(s) || isa<DeclRefExpr>(s) ||
         isa<ArraySubscriptExpr>(s) || isa<MemberExpr>(s) || isa<BinaryOperator>(s) || isa<ConditionalOperator>(s) || isa<CallExpr>(s) ||
         isa<InitListExpr>(s) || isa<ImplicitValueInitExpr>(s) || isa<UnaryExprOrTypeTraitExpr>(s) || isa<ConstantExpr>(s) ||

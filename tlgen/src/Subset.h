@@ -6,8 +6,8 @@
 
 namespace tlgen {
 
-// The id of the message that refuses a type, or null where it is accepted as a variable's. Behind a pointer a struct may have members of
-// types that are not accepted themselves: those are refused where they are used.
+// The id of the message that refuses a type, or null where it is accepted as a variable's. Behind a pointer a struct may have members
+// of types that are not accepted themselves: those are refused where they are used.
 const char *refusedType(clang::QualType type);
 
 // Walks the model's functions and all that they call. Returns them, callees before callers; whole only where nothing was reported.

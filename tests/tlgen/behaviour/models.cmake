@@ -43,3 +43,6 @@ add_behaviour(floats SINGLE DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
 # its functions differ from library to library
 add_behaviour(float_functions SINGLE VALUE_RTOL 1e-6 DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
 add_behaviour(sound DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t, &params)" PARAMS "&params")
+add_behaviour(temporaries DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
+add_behaviour(literal_values DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd)")
+add_behaviour(else_if DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd)")

@@ -12,8 +12,8 @@ static double sign(union view v) /* expect: union */
 static double member(double x)
 {
   struct hidden h; /* expect: union */
-  h.u.d = x;
-  return h.u.bits * 1.0;
+  h.u.d = x; /* expect: union */
+  return h.u.bits * 1.0; /* expect: union */
 }
 static double fast_inverse(double x)
 {

@@ -2,6 +2,7 @@
 # tlgen answers a source with exactly the messages that it announces; where one is an error, it leaves no file behind.
 #   refuse.sh TLGEN SOURCE
 # The source says  /* tlgen: ARGUMENTS */  once (default: --lagrangian L --dof 1), and  /* expect: ID .. */  on each line at fault;
+# In the arguments @HERE@ is the source's folder; of further sources the lines count too.
 # /* expect without a line: ID .. */ is for faults of the command line, /* warns: ID .. */ for warnings. A source that announces nothing is accepted without a word.
 set -euo pipefail
 tlgen=$1 source=$2
@@ -10,11 +11,14 @@ trap 'rm -rf "$work"' EXIT
 
 arguments=$(sed -n 's|^.*/\* tlgen: \([^*]*\) \*/.*$|\1|p' "$source")
 read -ra arguments <<<"${arguments:---lagrangian L --dof 1}"
+arguments=("${arguments[@]//@HERE@/$(dirname "$source")}")
+sources=("$source")
+for argument in "${arguments[@]}"; do [[ $argument != *.c ]] || sources+=("$argument"); done
 
 {
   sed -n 's|^.*/\* expect without a line: \(.*\) \*/.*$|0 \1|p' "$source"
-  sed -n '/\/\* expect: /{=;p}' "$source" | sed 'N;s|^\([0-9]*\)\n.*/\* expect: \(.*\) \*/.*$|\1 \2|'
-  sed -n '/\/\* warns: /{=;p}' "$source" | sed 'N;s|^\([0-9]*\)\n.*/\* warns: \(.*\) \*/.*$|\1 \2|'
+  sed -sn '/\/\* expect: /{=;p}' "${sources[@]}" | sed 'N;s|^\([0-9]*\)\n.*/\* expect: \(.*\) \*/.*$|\1 \2|'
+  sed -sn '/\/\* warns: /{=;p}' "${sources[@]}" | sed 'N;s|^\([0-9]*\)\n.*/\* warns: \(.*\) \*/.*$|\1 \2|'
 } | while read -r line ids; do for id in $ids; do echo "$line $id"; done; done | sort -u >"$work/expected"
 
 cd "$work"

@@ -10,7 +10,7 @@ static double last(int n, ...) /* expect: variadic */
   va_end(list); /* expect: unknown-function */
   return x;
 }
-static double handed(va_list list) { return va_arg(list, double); } /* expect: type variadic */
+static double handed(va_list list) { return va_arg(list, double); } /* expect: variadic */
 static double outer(int n, ...) /* expect: variadic */
 {
   va_list list; /* expect: type */

@@ -11,7 +11,7 @@ static double array(double x)
 static double member(double x)
 {
   struct sensor s = {x}; /* expect: volatile */
-  return s.x;
+  return s.x; /* expect: volatile */
 }
 static double named(double x)
 {
