@@ -26,6 +26,10 @@ void tl_seed(tl_ctx *cx, tl_real *c, tl_real x, int i) {
   tl_check(cx, c, TL_FN_seed);
 }
 
+void tl_move(tl_ctx *cx, tl_real *c, const tl_real *a, ptrdiff_t n) {
+  for (ptrdiff_t i = 0; i < n * cx->shape->ncoef; i++) c[i] = a[i];
+}
+
 void tl_copy(tl_ctx *cx, tl_real *c, const tl_real *a) {
   if (c != a) memcpy(c, a, (size_t)cx->shape->ncoef * sizeof *c);
   tl_check(cx, c, TL_FN_copy);

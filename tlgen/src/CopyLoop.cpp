@@ -98,6 +98,7 @@ private:
     s->step = node(Expr::Step, size_, {ref(i)}, backwards ? "--" : "++");
     s->then = statement(Stmt::Evaluate);
     s->then->expr = node(Expr::Assign, element, {node(Expr::Index, element, {ref(to_), index()}), value}, "=");
+    s->then->expr->wholesale = true;
     return s;
   }
 

@@ -197,11 +197,8 @@ void FunctionEmitter::constants(const std::string &base, const Type *type, const
 }
 
 void FunctionEmitter::copyObject(const std::string &dest, const std::string &source, const Type *type) {
-  long count = elements(type);
-  if (count == 1) return operation("copy", dest + ", " + source);
-  std::string k = fresh("k");
-  line("for (ptrdiff_t " + k + " = 0; " + k + " < " + std::to_string(count) + "*nc; " + k + " += nc) tl_copy(cx, " + dest + " + " + k +
-       ", " + source + " + " + k + ");");
+  if (type->kind == Type::Real) return operation("copy", dest + ", " + source);
+  operation("move", dest + ", " + source + ", " + std::to_string(elements(type))); // C may copy what has no value yet
 }
 
 void FunctionEmitter::evaluate(const Expr *e) {
@@ -259,6 +256,7 @@ void FunctionEmitter::stepAt(const std::string &x, const Expr *e) {
 Text FunctionEmitter::assign(const Expr *e) {
   quote(e->loc);
   Text at = fixedAddress(e->args[0]);
+  if (e->wholesale && isObject(e->args[1])) return operation("move", at.s + ", " + fixedAddress(e->args[1]).s + ", 1"), at;
   if (e->text == "=") return into(at.s, e->args[1]), at;
   update(at.s, e);
   if (isSingle(e->args[0]->type)) round(at.s);

@@ -83,6 +83,7 @@ struct Expr {
   Function *callee = nullptr;
   const Rule *rule = nullptr;
   bool arrow = false, prefix = false;
+  bool wholesale = false; // Assign: of a copy of storage, a value or not
 };
 
 struct Stmt {

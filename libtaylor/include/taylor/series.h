@@ -23,6 +23,9 @@ void tl_seed(tl_ctx *cx, tl_real *c, tl_real x, int i);
 /* c = a. */
 void tl_copy(tl_ctx *cx, tl_real *c, const tl_real *a);
 
+/* Copies n jets, one behind the other, as they are: what is not a number yet is none afterwards, and nothing is reported. */
+void tl_move(tl_ctx *cx, tl_real *c, const tl_real *a, ptrdiff_t n);
+
 /* c = a + b, a - b, -a. */
 void tl_add(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b);
 void tl_sub(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b);

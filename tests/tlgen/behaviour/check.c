@@ -72,7 +72,8 @@ static const tl_real *result(const evaluation *e, int row) { return e->out + (pt
 static void evaluate(const checked *f, evaluation *e) {
   tl_ctx cx;
   for (size_t i = 0; i < e->nreal; i++) e->memory[i] = (tl_real)NAN;
-  for (int i = 0; i < f->rows * e->shape.ncoef; i++) e->out[i] = (tl_real)NAN;
+  const tl_real preset = f->function == &plain_model()->force ? 0 : (tl_real)NAN; /* as the runtime does */
+  for (int i = 0; i < f->rows * e->shape.ncoef; i++) e->out[i] = preset;
   tl_ctx_init(&cx, &e->shape, e->memory, e->nreal);
   f->function->jet(&cx, e->out, e->seeds, seed(e, f->n), seed(e, 2 * f->n), plain_params());
   if (cx.status.bits != TL_OK)
@@ -88,7 +89,7 @@ static double derivative(const evaluation *e, int row, int order, const int *ind
 }
 
 static void check_values(const checked *f, const double *x, const evaluation *e) {
-  double copy[64], out[16];
+  double copy[64], out[16] = {0};
   memcpy(copy, x, (size_t)(2 * f->n + 1) * sizeof *x);
   plain_call(f->number, out, copy, copy + f->n, copy[2 * f->n]);
   for (int row = 0; row < f->rows; row++) {

@@ -62,6 +62,19 @@ static double passive(void)
   return b[2] * same[1] + a[1] + zero.angle + p.angle;
 }
 
+/* C copies what has no value yet, too. */
+static double halves(double x)
+{
+  pose one, two;
+  double v[3], w[3];
+  one.p[0] = x;
+  two = one;
+  two.angle = x * x;
+  v[0] = v[1] = x;
+  memcpy(w, v, sizeof v);
+  return two.p[0] * two.angle + w[1];
+}
+
 double lagrangian(const double *q, const double *qd, double t)
 {
   double r[3][3], s[3][3], x[4] = {q[0], qd[0], q[1], qd[1]}, y[2];
@@ -71,6 +84,6 @@ double lagrangian(const double *q, const double *qd, double t)
   memcpy(y, q, sizeof y);
   memcpy(flat, y, sizeof flat[0]);
   memcpy(flat[1], qd, sizeof flat[1]);
-  return trace_of_product(r, s) + s[0][1] * qd[0] * qd[1] + shift(x, 4) + poses(q[0], qd[1]) + poses(qd[1], q[0]) + passive() * y[1] +
+  return trace_of_product(r, s) + s[0][1] * qd[0] * qd[1] + shift(x, 4) + poses(q[0], qd[1]) + poses(qd[1], q[0]) + passive() * y[1] + halves(q[1]) +
          flat[0][1] * flat[1][0];
 }

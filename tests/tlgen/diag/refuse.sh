@@ -2,7 +2,7 @@
 # tlgen answers a source with exactly the messages that it announces; where one is an error, it leaves no file behind.
 #   refuse.sh TLGEN SOURCE
 # The source says  /* tlgen: ARGUMENTS */  once (default: --lagrangian L --dof 1), and  /* expect: ID .. */  on each line at fault;
-# In the arguments @HERE@ is the source's folder; of further sources the lines count too.
+# In the arguments HERE: is the source's folder; of further sources the lines count too.
 # /* expect without a line: ID .. */ is for faults of the command line, /* warns: ID .. */ for warnings. A source that announces nothing is accepted without a word.
 set -euo pipefail
 tlgen=$1 source=$2
@@ -11,7 +11,7 @@ trap 'rm -rf "$work"' EXIT
 
 arguments=$(sed -n 's|^.*/\* tlgen: \([^*]*\) \*/.*$|\1|p' "$source")
 read -ra arguments <<<"${arguments:---lagrangian L --dof 1}"
-arguments=("${arguments[@]//@HERE@/$(dirname "$source")}")
+arguments=("${arguments[@]//HERE:/$(dirname "$source")/}")
 sources=("$source")
 for argument in "${arguments[@]}"; do [[ $argument != *.c ]] || sources+=("$argument"); done
 

@@ -1,4 +1,4 @@
-/* tlgen: --lagrangian L --dof 1 @HERE@/parts/other.c */
+/* tlgen: --lagrangian L --dof 1 HERE:parts/other.c */
 /* Two files that are not of one program. */
 double helper(double x);
 double shape(double x);

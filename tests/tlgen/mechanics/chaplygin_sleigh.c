@@ -6,14 +6,12 @@ typedef struct { metre_per_second x, y; } velocity;
 
 #define UNIT(type, value) ((type){ .si = (value) })
 
-typedef struct { double linear, angular; } drag_coefficients;
-
 typedef struct {
     kilogram mass;
     kilogram_metre2 inertia;
     metre offset; /* of the centre of mass ahead of the blade */
     radian_per_second tilting;
-    drag_coefficients damping;
+    struct { double linear, angular; } damping;
 } sleigh;
 
 static const sleigh toy = {
@@ -61,9 +59,10 @@ double sleigh_slip(const double *q, const double *qd)
 
 void sleigh_damping(const double *qd, const sleigh *s, double *out)
 {
-    const newton f[2] = { { -s->damping.linear * qd[0] }, { -s->damping.linear * qd[1] } };
-    const newton_metre m = { -s->damping.angular * qd[2] };
-    out[0] = f[0].si;
-    out[1] = f[1].si;
-    out[2] = m.si;
+    const struct { newton x, y; newton_metre turn; } f = {
+        { -s->damping.linear * qd[0] }, { -s->damping.linear * qd[1] }, { -s->damping.angular * qd[2] }
+    };
+    out[0] = f.x.si;
+    out[1] = f.y.si;
+    out[2] = f.turn.si;
 }

@@ -43,25 +43,6 @@ L20:
     return 0;
 } /* geopot_ */
 
-/* Subroutine */ int sumsq_(const doublereal *x, doublereal *s)
-{
-    /* System generated locals */
-    doublereal d__1, d__2, d__3;
-
-    /* Parameter adjustments */
-    --x;
-
-    /* Function Body */
-/* Computing 2nd power */
-    d__1 = x[1];
-/* Computing 2nd power */
-    d__2 = x[2];
-/* Computing 2nd power */
-    d__3 = x[3];
-    *s = d__1 * d__1 + d__2 * d__2 + d__3 * d__3;
-    return 0;
-} /* sumsq_ */
-
 doublereal xlagr_(const doublereal *x, const doublereal *xd)
 {
     /* Initialized data */
@@ -71,10 +52,10 @@ doublereal xlagr_(const doublereal *x, const doublereal *xd)
     static const doublereal cj2 = .03;
 
     /* System generated locals */
-    doublereal ret_val;
+    doublereal ret_val, d__1, d__2, d__3;
 
     /* Local variables */
-    doublereal u, v2;
+    doublereal u;
 
     /* Parameter adjustments */
     --xd;
@@ -82,7 +63,12 @@ doublereal xlagr_(const doublereal *x, const doublereal *xd)
 
     /* Function Body */
     geopot_(&x[1], &gm, &re, &cj2, &u);
-    sumsq_(&xd[1], &v2);
-    ret_val = v2 * .5 + u;
+/* Computing 2nd power */
+    d__1 = xd[1];
+/* Computing 2nd power */
+    d__2 = xd[2];
+/* Computing 2nd power */
+    d__3 = xd[3];
+    ret_val = (d__1 * d__1 + d__2 * d__2 + d__3 * d__3) * .5 + u;
     return ret_val;
 } /* xlagr_ */

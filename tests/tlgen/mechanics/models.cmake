@@ -62,3 +62,11 @@ add_mechanics(goldstein_table "two masses on a string through a table, after Gol
 add_mechanics(landau_rods "two hinged rods of Landau and Lifshitz; objects that answer for their energies" DOF 1 LAGRANGIAN rods)
 add_mechanics(five_bar "parallel robot with five bars; complex numbers as a struct" DOF 4 LAGRANGIAN five_bar_lagrangian HOLONOMIC five_bar_loop:2)
 add_mechanics(cam_follower "cam and rocker; angle by Newton's method, assert, results with a success flag" DOF 1 LAGRANGIAN cam_lagrangian FORCE cam_drive)
+add_mechanics(slider_crank "slider-crank engine with gas force; output of f2c: arrays moved to start at 1, goto, computed goto by switch" DOF 1
+  LAGRANGIAN slcrnk_ FORCE gasfrc_)
+add_mechanics(fem_beam "cantilever of four finite elements on a hardening foundation; gather and scatter, tables of unnamed structs" DOF 8
+  LAGRANGIAN beam_lagrangian FORCE beam_load)
+add_mechanics(satellite "satellite with reaction wheels in the gravity gradient; flight software, array typedefs, results first" DOF 7
+  LAGRANGIAN sat_lagrangian FORCE sat_motor_torque)
+add_mechanics(dipole_field "charge among magnets; small structs by value through helpers of another file" DOF 3 LAGRANGIAN charge_lagrangian
+  ARGS q=x,y,z qd=xd,yd,zd p=s PARAMS "&trap" FILES dipole_vec.c)
