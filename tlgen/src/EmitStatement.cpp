@@ -256,7 +256,8 @@ void FunctionEmitter::stepAt(const std::string &x, const Expr *e) {
 Text FunctionEmitter::assign(const Expr *e) {
   quote(e->loc);
   Text at = fixedAddress(e->args[0]);
-  if (e->wholesale && isObject(e->args[1])) return operation("move", at.s + ", " + fixedAddress(e->args[1]).s + ", 1"), at;
+  if (e->wholesale && isObject(e->args[1]))
+    return operation("move", at.s + ", " + fixedAddress(e->args[1]).s + ", " + std::to_string(elements(e->type))), at;
   if (e->text == "=") return into(at.s, e->args[1]), at;
   update(at.s, e);
   if (isSingle(e->args[0]->type)) round(at.s);

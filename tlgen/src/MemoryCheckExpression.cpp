@@ -191,16 +191,11 @@ Cells MemoryCheck::conditional(const Expr *e) {
   return result;
 }
 
-// The element of a copy as a whole may have no value yet.
-static bool isCopied(const Expr *e) {
-  return e->kind == Expr::Index && e->args[0]->kind == Expr::Ref && e->args[0]->var->name == "tl_from";
-}
-
 Cells MemoryCheck::assign(const Expr *e) {
   const Expr *left = e->args[0];
   if (e->kind == Expr::Assign && e->text == "=") {
     const Expr *right = e->args[1];
-    Cells cells = isCopied(right) ? read(place(right), std::max(1L, leaves(right->type)), right) : eval(right);
+    Cells cells = e->wholesale && right->kind == Expr::Index ? read(place(right), std::max(1L, leaves(right->type)), right) : eval(right);
     write(place(left), cells, left);
     return cells;
   }

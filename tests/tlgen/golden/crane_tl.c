@@ -14,7 +14,7 @@ static void hang_tl(tl_ctx *cx, tl_real *result, const tl_real *top_in, const tl
   tl_real *const tmp0 = frame + 2*nc;
   tl_real *const tmp1 = frame + 3*nc;
   tl_real *const top = frame;
-  for (ptrdiff_t k0_ = 0; k0_ < 2*nc; k0_ += nc) tl_copy(cx, top + k0_, top_in + k0_);
+  tl_move(cx, top, top_in, 2);
   /* crane.c:23: top.x += length * sin(angle); */
   cx->line = 23;
   tl_sin(cx, tmp1, angle);
@@ -27,7 +27,7 @@ static void hang_tl(tl_ctx *cx, tl_real *result, const tl_real *top_in, const tl
   tl_sub(cx, top + nc, top + nc, tmp0);
   /* crane.c:25: return top; */
   cx->line = 25;
-  for (ptrdiff_t k1_ = 0; k1_ < 2*nc; k1_ += nc) tl_copy(cx, result + k1_, top + k1_);
+  tl_move(cx, result, top, 2);
   tl_pop(cx, 4);
 }
 
@@ -65,7 +65,7 @@ static void wind_tl(tl_ctx *cx, tl_real *result, const tl_real *t_in, const tl_r
   tl_real *const t = frame;
   tl_copy(cx, t, t_in);
   tl_real *const load = frame + nc;
-  for (ptrdiff_t k0_ = 0; k0_ < 2*nc; k0_ += nc) tl_copy(cx, load + k0_, load_in + k0_);
+  tl_move(cx, load, load_in, 2);
   /* crane.c:31: double speed = load.y > 2.0 ? 3.0 + sin(2.0 * t) : 1.0; */
   cx->line = 31;
   tl_real *const speed = frame + 3*nc;
@@ -164,7 +164,7 @@ static void hang_tl2(tl_ctx *cx, tl_real *result, const tl_real *top_in, const t
   if (!frame) return;
   tl_real *const tmp0 = frame + 2*nc;
   tl_real *const top = frame;
-  for (ptrdiff_t k0_ = 0; k0_ < 2*nc; k0_ += nc) tl_copy(cx, top + k0_, top_in + k0_);
+  tl_move(cx, top, top_in, 2);
   /* crane.c:23: top.x += length * sin(angle); */
   cx->line = 23;
   tl_sin(cx, tmp0, angle);
@@ -175,7 +175,7 @@ static void hang_tl2(tl_ctx *cx, tl_real *result, const tl_real *top_in, const t
   tl_axpy(cx, top + nc, -length, tmp0);
   /* crane.c:25: return top; */
   cx->line = 25;
-  for (ptrdiff_t k1_ = 0; k1_ < 2*nc; k1_ += nc) tl_copy(cx, result + k1_, top + k1_);
+  tl_move(cx, result, top, 2);
   tl_pop(cx, 3);
 }
 
@@ -194,7 +194,7 @@ static void cable_tl(tl_ctx *cx, const tl_real *q, const tl_real *t_in, tl_real 
   tl_real *const load = frame + nc;
   tl_copy(cx, frame + 5*nc, q + nc);
   tl_const(cx, frame + 5*nc + nc, 0.0);
-  for (ptrdiff_t k0_ = 0; k0_ < 2*nc; k0_ += nc) tl_copy(cx, frame + 3*nc + k0_, frame + 5*nc + k0_);
+  tl_move(cx, frame + 3*nc, frame + 5*nc, 2);
   hang_tl2(cx, load, frame + 3*nc, q + 2*nc, 1.0);
   /* crane.c:55: out[0] = load.x; */
   cx->line = 55;

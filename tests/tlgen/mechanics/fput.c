@@ -7,7 +7,7 @@
  */
 
 #define ARRAY_SIZE(a)	(sizeof(a) / sizeof((a)[0]))
-#define likely(x)	(x)
+#define likely(x)	__builtin_expect(!!(x), 1)
 
 struct fput_bond {
 	double k;
