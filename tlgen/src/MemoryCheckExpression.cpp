@@ -195,7 +195,8 @@ Cells MemoryCheck::assign(const Expr *e) {
   const Expr *left = e->args[0];
   if (e->kind == Expr::Assign && e->text == "=") {
     const Expr *right = e->args[1];
-    Cells cells = e->wholesale && right->kind == Expr::Index ? read(place(right), std::max(1L, leaves(right->type)), right) : eval(right);
+    Cells cells =
+        e->wholesale && right->kind == Expr::Index ? read(place(right), std::max(1L, leaves(right->type)), right) : eval(right);
     write(place(left), cells, left);
     return cells;
   }
