@@ -21,12 +21,13 @@ void tl_ctx_init(tl_ctx *cx, const tl_shape *shape, tl_real *memory, size_t nrea
   cx->end = memory + nreal;
 }
 
-void tl_ctx_clear(tl_ctx *cx) { cx->status = (tl_status){.bits = TL_OK, .function = TL_FN_none, .line = 0}; }
+void tl_ctx_clear(tl_ctx *cx) { cx->status = (tl_status){.bits = TL_OK, .function = TL_FN_none, .line = 0, .file = NULL}; }
 
 void tl_fail(tl_ctx *cx, unsigned bits, tl_fn function) {
   if (cx->status.bits == TL_OK) {
     cx->status.function = function;
     cx->status.line = cx->line;
+    cx->status.file = cx->file;
   }
   cx->status.bits |= bits;
 }

@@ -200,9 +200,14 @@ private:
 
   void shareMembers(Place *a, Place *b, const Type *type, const Loc &loc) {
     if (a == b) return;
-    for (const Field &field : type->record->fields)
+    for (const Field &field : type->record->fields) {
+      const Type *inner = field.type;
+      while (inner->kind == Type::Array) inner = inner->element;
       if (throughField(field.type))
         unify(find(member(a, field.name, field.type))->target, find(member(b, field.name, field.type))->target, loc);
+      else if (inner->kind == Type::Struct)
+        shareMembers(find(a), find(b), inner, loc);
+    }
   }
 
   // The place of a struct's member: its own for pointers, the struct's for numbers.
@@ -256,8 +261,7 @@ private:
       if (arg) visit(arg, e);
     if (e->kind == Expr::Call) call(e);
     if (e->kind == Expr::Assign) assign(e);
-    if (e->kind == Expr::InitList && v_.place(e) && !holdsNumbers(e->type)) give(v_.place(e), e->type, e, e->loc, "a literal");
-    if (e->kind == Expr::InitList && v_.place(e) && v_.varied(e)) activate(v_.place(e), e->loc, "a literal");
+    if (e->kind == Expr::InitList && v_.place(e)) give(v_.place(e), e->type, e, e->loc, "a literal");
     if (e->kind == Expr::Step) write(v_.place(e->args[0]), e->loc);
     if (checking_) check(e);
     if (checking_) checkAddress(e, parent);
@@ -338,24 +342,24 @@ private:
     }
     if (theirs->written) write(ours, e->loc);
     if (theirs->active) activate(ours, e->loc, "an argument of '" + e->callee->name + "'");
-    takeBack(theirs->target, ours->target, e, met);
-    for (auto &field : theirs->fields)
-      if (ours->fields.count(field.first))
-        takeBack(field.second, ours->fields[field.first], e, met);
-      else if (find(field.second)->written)
-        write(ours, e->loc);
+    takeBack(theirs->target, reached(ours->target, theirs->target, ours), e, met);
+    takeBackMembers(theirs, ours, e, met);
   }
 
-  // A struct is passed by value, but not what its pointers lead to.
+  // A struct passed by value does not come back, but what its pointers lead to does.
   void takeBackMembers(Place *theirs, Place *ours, const Expr *e, std::map<Place *, Place *> &met) {
-    for (auto &field : theirs->fields) {
-      Place *mine = ours && ours->fields.count(field.first) ? find(ours->fields[field.first])->target : nullptr;
-      Place *target = find(field.second)->target;
-      if (mine)
-        takeBack(target, mine, e, met);
-      else if (target && find(target)->written && ours)
-        write(ours, e->loc);
+    if (!ours) return;
+    ours = find(ours);
+    for (auto &field : theirs->fields) takeBack(field.second, reached(ours->fields[field.first], field.second, ours), e, met);
+  }
+
+  // Storage of the caller's that only the callee has named so far: as constant as what leads to it.
+  Place *reached(Place *&ours, const Place *theirs, const Place *from) {
+    if (!ours && theirs) {
+      ours = activity_.storage_.emplace_back(std::make_unique<Place>()).get();
+      ours->input = from->input, ours->frozen = from->frozen;
     }
+    return ours;
   }
 
   // An active object must have a layout of jets.

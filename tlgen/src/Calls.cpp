@@ -161,10 +161,33 @@ Calls::Calls(const Source &source, const Match &match, const Instance &caller) :
   if (caller.function->hasBody()) Changes(changed_).TraverseStmt(caller.function->getBody());
 }
 
+bool Calls::isNull(const c::Expr *e, const c::ASTContext &context) {
+  if (!e->getType()->isPointerType()) return false;
+  const auto *cast = llvm::dyn_cast<c::CastExpr>(e->IgnoreParens());
+  while (cast && cast->getCastKind() == c::CK_BitCast) { // a null pointer of another type is none to Clang
+    e = cast->getSubExpr();
+    cast = llvm::dyn_cast<c::CastExpr>(e->IgnoreParens());
+  }
+  return (cast && cast->getCastKind() == c::CK_NullToPointer) ||
+         e->isNullPointerConstant(const_cast<c::ASTContext &>(context), c::Expr::NPC_ValueDependentIsNotNull) != c::Expr::NPCK_NotNull;
+}
+
 // True where a variable has its first value for good.
 bool Calls::keepsValue(const c::VarDecl *v) const {
   c::QualType type = v->getASTContext().getBaseElementType(v->getType());
   return v->getInit() && (type.isConstQualified() || (isFunctionPointer(v->getType()) && v->hasLocalStorage() && !changed_.count(v)));
+}
+
+// True where an expression has the same value wherever the function evaluates it: literals and variables that it never changes.
+bool Calls::isSteady(const c::Stmt *e) const {
+  if (const auto *ref = llvm::dyn_cast<c::DeclRefExpr>(e)) {
+    const auto *v = llvm::dyn_cast<c::VarDecl>(ref->getDecl());
+    return !v || (v->hasLocalStorage() && !changed_.count(v));
+  }
+  if (llvm::isa<c::ArraySubscriptExpr>(e) || llvm::isa<c::MemberExpr>(e) || llvm::isa<c::CallExpr>(e)) return false;
+  if (const auto *op = llvm::dyn_cast<c::UnaryOperator>(e))
+    if (op->getOpcode() == c::UO_Deref) return false;
+  return std::all_of(e->child_begin(), e->child_end(), [&](const c::Stmt *part) { return !part || isSteady(part); });
 }
 
 // The initialisers of what an lvalue may name.
@@ -174,10 +197,11 @@ Calls::Settled Calls::objects(const c::Expr *lvalue) const {
   if (const auto *ref = llvm::dyn_cast<c::DeclRefExpr>(e)) {
     const auto *v = llvm::dyn_cast<c::VarDecl>(ref->getDecl());
     if (const c::VarDecl *def = v ? v->getInitializingDeclaration() : nullptr)
-      if (keepsValue(def))
-        s = def->getType()->isRecordType() && !llvm::isa<c::InitListExpr>(bare(def->getInit()))
-                ? objects(def->getInit())
-                : Settled{nullptr, false, {def->getInit()}};
+      if (keepsValue(def)) {
+        bool copied = def->getType()->isRecordType() && !llvm::isa<c::InitListExpr>(bare(def->getInit()));
+        s = copied ? objects(def->getInit()) : Settled{nullptr, false, {def->getInit()}};
+        if (s.choice && !isSteady(s.choice)) return {};
+      }
   } else if (const auto *member = llvm::dyn_cast<c::MemberExpr>(e)) {
     const auto *field = llvm::dyn_cast<c::FieldDecl>(member->getMemberDecl());
     if (!field || member->isArrow()) return {};
@@ -216,8 +240,9 @@ Calls::Settled Calls::settle(const c::Expr *e) const {
   if (const auto *ref = llvm::dyn_cast<c::DeclRefExpr>(e))
     if (llvm::isa<c::FunctionDecl>(ref->getDecl()) || llvm::isa<c::ParmVarDecl>(ref->getDecl())) return {nullptr, false, {e}};
   Settled s = objects(e);
-  if (s.values.size() == 1 && !s.choice) return settle(s.values[0]);
-  return s;
+  if (s.values.size() != 1 || s.choice) return s;
+  Settled behind = settle(s.values[0]);
+  return behind.choice && !isSteady(behind.choice) ? Settled{} : behind;
 }
 
 // The one function that an expression is; null where there is none.

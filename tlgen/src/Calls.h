@@ -56,6 +56,8 @@ public:
   Reach reach(const clang::CallExpr *call) const;
   // True where what the expression names or holds is a function.
   static bool isFunctionPointer(clang::QualType type) { return type->isFunctionPointerType(); }
+  // True for NULL, whatever it is made of.
+  static bool isNull(const clang::Expr *e, const clang::ASTContext &context);
 
 private:
   struct Settled {
@@ -67,6 +69,7 @@ private:
   Settled settle(const clang::Expr *e) const;
   Settled objects(const clang::Expr *lvalue) const;
   const clang::FunctionDecl *function(const clang::Expr *e) const;
+  bool isSteady(const clang::Stmt *e) const;
   bool keepsValue(const clang::VarDecl *v) const;
 
   const Source &source_;

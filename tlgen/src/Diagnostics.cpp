@@ -37,6 +37,10 @@ void Diagnostics::add(const char *id, const std::string &file, unsigned line, un
   messages_.insert({fromHere(file), line, column, kind, what});
 }
 
+bool Diagnostics::has(const char *id) const {
+  return std::any_of(messages_.begin(), messages_.end(), [&](const Message &m) { return std::string(id) == m.kind->id; });
+}
+
 void Diagnostics::add(const char *id, const Program &program, const Loc &loc, const std::string &what) {
   add(id, loc.file >= 0 ? program.paths[static_cast<size_t>(loc.file)] : "", loc.line, loc.column, what);
 }

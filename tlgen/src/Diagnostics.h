@@ -47,6 +47,7 @@ public:
   void promoteWarnings() { promote_ = true; }
 
   bool isError(const Message &m) const { return promote_ || m.kind->severity == Severity::Error; }
+  bool has(const char *id) const;
   bool hasErrors() const;
   std::string text(const Message &m) const { return words(m.what + ": " + m.kind->why); }
   // The text with its options as the caller of tlgen names them.

@@ -17,6 +17,9 @@ public:
 
   EmittedModel run(const std::string &headerName) {
     nameVariants();
+    std::set<int> files;
+    for (const Variant *v : activity_.variants()) files.insert(v->function->loc.file);
+    emitted_.severalFiles = files.size() > 1;
     std::string functions, prototypes;
     for (const Variant *v : activity_.variants()) {
       std::string text = FunctionEmitter(program_, *v, emitted_).run();

@@ -424,6 +424,7 @@ Text FunctionEmitter::callValue(const Expr *e) {
 std::string FunctionEmitter::callText(const Expr *e, const std::string &dest) {
   const Variant *callee = v_.callees.at(e);
   frame_.calls.push_back({e, callee});
+  lineLost_ |= callee->active();
   std::string args = callee->active() ? "cx" : "";
   auto add = [&](const std::string &a) { args += (args.empty() ? "" : ", ") + a; };
   if (!dest.empty()) add(dest);

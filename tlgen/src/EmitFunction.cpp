@@ -172,16 +172,26 @@ void FunctionEmitter::survey(const Expr *e, bool read) {
 
 void FunctionEmitter::line(const std::string &text) { out_ += std::string(static_cast<size_t>(2 * indent_), ' ') + text + "\n"; }
 
-void FunctionEmitter::operation(const std::string &name, const std::string &args) { line("tl_" + name + "(cx, " + args + ");"); }
+void FunctionEmitter::operation(const std::string &name, const std::string &args) {
+  if (lineLost_ && quoted_.file >= 0) tellLine(quoted_);
+  line("tl_" + name + "(cx, " + args + ");");
+}
+
+// The place for the status; a function that is called tells its own.
+void FunctionEmitter::tellLine(const Loc &loc) {
+  line("cx->line = " + std::to_string(loc.line) + ";");
+  if (emitted_.severalFiles) line("cx->file = \"" + program_.files[static_cast<size_t>(loc.file)] + "\";");
+  quoted_ = loc;
+  lineLost_ = false;
+}
 
 // The source line as a comment, once for consecutive statements of the same line, and the line number for the status.
 void FunctionEmitter::quote(const Loc &loc) {
-  if (loc.file < 0 || (loc.file == quoted_.file && loc.line == quoted_.line)) return;
+  if (loc.file < 0 || (loc.file == quoted_.file && loc.line == quoted_.line && !lineLost_)) return;
   const auto &lines = program_.sources[static_cast<size_t>(loc.file)];
   std::string text = loc.line <= lines.size() ? commentText(lines[loc.line - 1]) : "";
   line("/* " + program_.files[static_cast<size_t>(loc.file)] + ":" + std::to_string(loc.line) + ": " + text + " */");
-  line("cx->line = " + std::to_string(loc.line) + ";");
-  quoted_ = loc;
+  tellLine(loc);
 }
 
 std::string FunctionEmitter::temporary() {

@@ -25,6 +25,7 @@ struct Frame {
 struct Emitted {
   std::map<const Variant *, std::string> names;
   std::map<const Variant *, Frame> frames;
+  bool severalFiles = false;
   std::set<std::string> absolutes; // of abs, labs and llabs those that are called
 };
 
@@ -117,6 +118,7 @@ private:
   void line(const std::string &text);
   void operation(const std::string &name, const std::string &args);
   void quote(const Loc &loc);
+  void tellLine(const Loc &loc);
   std::string temporary();
   std::string temporary(const Type *type);
   std::string fresh(const std::string &stem);
@@ -147,6 +149,7 @@ private:
   std::map<const Variable *, std::string> renamed_;
   std::set<std::string> hoistedNames_, targets_; // targets_: labels that a goto names
   Loc quoted_;
+  bool lineLost_ = false; // to a function that was called since
   bool writesThroughPointer_ = false;
   std::set<const Variable *> assigned_, addressTaken_, read_, referenced_;
 };

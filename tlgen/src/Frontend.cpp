@@ -108,7 +108,7 @@ Frontend::Unit &Frontend::unit(const std::string &source, const Options &o) {
   std::vector<std::unique_ptr<clang::ASTUnit>> trees;
   bool failed = tool.buildASTs(trees) != 0 || trees.empty();
   if (failed && !u.diags.hasErrors()) u.diags.add("syntax", source, 0, 0, "Clang could not read the file");
-  if (u.diags.hasErrors()) return u;
+  if (trees.empty() || u.diags.has("syntax")) return u; // what Clang only promoted from a warning leaves a tree to look at
   collectFiles(trees[0]->getSourceManager(), u.files);
   u.tree = std::move(trees[0]);
   return u;
@@ -120,9 +120,9 @@ Parsed Frontend::parse(const Options &o, Diagnostics &diags) {
     Unit &u = unit(source, o);
     diags.add(u.diags);
     parsed.files.insert(u.files.begin(), u.files.end());
-    parsed.units.push_back(u.tree.get());
+    if (u.tree) parsed.units.push_back(u.tree.get());
   }
-  if (diags.hasErrors()) parsed.units.clear();
+  if (parsed.units.size() < o.sources.size()) parsed.units.clear();
   return parsed;
 }
 

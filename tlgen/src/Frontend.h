@@ -22,12 +22,12 @@ struct Parsed {
 // Reads each source once for the same compiler arguments, however many models are made of it. The trees live as long as this object.
 class Frontend {
 public:
-  // Without units on any error; then diags says why.
+  // Without units where a source is not C; diags says why, and which of the rest is known to be wrong.
   Parsed parse(const Options &options, Diagnostics &diags);
 
 private:
   struct Unit {
-    std::unique_ptr<clang::ASTUnit> tree; // null on an error
+    std::unique_ptr<clang::ASTUnit> tree; // null where it is not C
     Diagnostics diags;
     std::set<std::string> files;
   };

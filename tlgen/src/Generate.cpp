@@ -91,7 +91,7 @@ int generate(const Run &run) {
     Diagnostics diags;
     Parsed parsed = frontend.parse(options, diags);
     read.insert(parsed.files.begin(), parsed.files.end());
-    if (!diags.hasErrors())
+    if (!parsed.units.empty())
       for (auto &file : makeModel(options, parsed, run.modelsFile, diags)) out.push_back(std::move(file));
     all.add(diags);
   }

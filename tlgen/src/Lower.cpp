@@ -272,6 +272,7 @@ Stmt *Lowering::declaration(const c::DeclStmt *s) {
 
 // A statement into a block: declarations one by one, cases and labels as statements of their own.
 void Lowering::append(Stmt *block, const c::Stmt *s) {
+  if (const auto *hinted = llvm::dyn_cast<c::AttributedStmt>(s)) return append(block, hinted->getSubStmt());
   if (const auto *decl = llvm::dyn_cast<c::DeclStmt>(s)) {
     Stmt *several = declaration(decl);
     block->body.insert(block->body.end(), several->body.begin(), several->body.end());
@@ -296,6 +297,7 @@ Stmt *Lowering::stmt(const c::Stmt *s) {
     if (s) empty.loc = loc(s->getBeginLoc());
     return program_.make(std::move(empty));
   }
+  if (const auto *hinted = llvm::dyn_cast<c::AttributedStmt>(s)) return stmt(hinted->getSubStmt());
   if (const auto *block = llvm::dyn_cast<c::CompoundStmt>(s)) {
     Stmt *n = node(Stmt::Block, s);
     for (const c::Stmt *part : block->body()) append(n, part);
@@ -400,6 +402,7 @@ Expr *Lowering::node(Expr::Kind kind, const c::Expr *e, std::vector<Expr *> args
 }
 
 Expr *Lowering::castOf(const c::CastExpr *e) {
+  if (Calls::isNull(e, *context_)) return node(Expr::Literal, e, {}, "NULL");
   Expr *inner = expr(e->getSubExpr());
   switch (e->getCastKind()) {
   case c::CK_NoOp:
@@ -407,8 +410,6 @@ Expr *Lowering::castOf(const c::CastExpr *e) {
     return inner;
   case c::CK_LValueToRValue:
     return inner;
-  case c::CK_NullToPointer:
-    return node(Expr::Literal, e, {}, "NULL");
   case c::CK_PointerToBoolean: {
     Expr *null = node(Expr::Literal, e->getSubExpr(), {}, "NULL");
     return node(Expr::Binary, e, {inner, null}, "!=");

@@ -51,6 +51,8 @@ const char *refused(QualType type, bool behind, std::set<const RecordDecl *> &se
       if (field->isBitField()) return "type";
       if (otherMeaning(field)) return "attribute";
       QualType t = field->getType();
+      const ASTContext &context = def->getASTContext();
+      if (!t->isIncompleteType() && context.getTypeAlign(t) != context.getTypeAlign(t.getCanonicalType())) return "attribute";
       const char *id = refused(t, behind, seen);
       bool bytes = behind && t->isConstantSizeType() && !t->isIncompleteType(); // it can stay, untouched
       if (id && !bytes) return id;
@@ -232,8 +234,10 @@ private:
 
   // Expressions that stand as statements: nobody takes their value.
   void noteStatement(const Stmt *s) {
-    while (s && (isa<LabelStmt>(s) || isa<SwitchCase>(s)))
-      s = isa<LabelStmt>(s) ? cast<LabelStmt>(s)->getSubStmt() : cast<SwitchCase>(s)->getSubStmt();
+    while (s && (isa<LabelStmt>(s) || isa<SwitchCase>(s) || isa<AttributedStmt>(s)))
+      s = isa<LabelStmt>(s)    ? cast<LabelStmt>(s)->getSubStmt()
+          : isa<SwitchCase>(s) ? cast<SwitchCase>(s)->getSubStmt()
+                               : cast<AttributedStmt>(s)->getSubStmt();
     const auto *e = dyn_cast_or_null<Expr>(s);
     if (!e) return;
     const auto *cast = dyn_cast<CStyleCastExpr>(e->IgnoreParens());
@@ -256,14 +260,14 @@ private:
     if (const auto *jump = dyn_cast<GotoStmt>(s)) return jumps_.count(jump) ? nullptr : "goto";
     if (const auto *choice = dyn_cast<SwitchCase>(s)) return cases_.count(choice) ? nullptr : "switch";
     if (const auto *choice = dyn_cast<SwitchStmt>(s)) return isa<CompoundStmt>(choice->getBody()) ? nullptr : "switch";
-    if (isa<LabelStmt>(s)) return nullptr;
+    if (isa<LabelStmt>(s) || isa<AttributedStmt>(s)) return nullptr; // hints to an optimiser
     if (isa<StringLiteral>(s) && strings_.count(s)) return nullptr;
     if (isa<AsmStmt>(s)) return "asm";
     if (isa<VAArgExpr>(s)) return "variadic";
     if (isa<CompoundStmt>(s) || isa<DeclStmt>(s) || isa<IfStmt>(s) || isa<ForStmt>(s) || isa<WhileStmt>(s) || isa<DoStmt>(s) ||
         isa<BreakStmt>(s) || isa<ContinueStmt>(s) || isa<ReturnStmt>(s) || isa<NullStmt>(s))
       return nullptr;
-    if (isa<CastExpr>(s)) return refusedCast(cast<CastExpr>(s));
+    if (isa<CastExpr>(s)) return Calls::isNull(cast<CastExpr>(s), context_) ? nullptr : refusedCast(cast<CastExpr>(s));
     if (const auto *op = dyn_cast<UnaryOperator>(s)) return refusedUnary(op);
     if (isa<IntegerLiteral>(s) || isa<FloatingLiteral>(s) || isa<CharacterLiteral>(s) || isa<ParenExpr>(s) || isa<DeclRefExpr>(s) ||
         isa<ArraySubscriptExpr>(s) || isa<MemberExpr>(s) || isa<BinaryOperator>(s) || isa<ConditionalOperator>(s) || isa<CallExpr>(s) ||

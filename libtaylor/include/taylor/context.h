@@ -39,14 +39,16 @@ enum {
 /* What went wrong: all kinds so far, and function and source line of the first. */
 typedef struct tl_status {
   unsigned bits;
-  tl_fn function; /* the first that failed; TL_FN_none while bits is TL_OK */
-  int line;       /* value of tl_ctx.line at that moment: the line in the source that tlgen read, 0 where unknown */
+  tl_fn function;   /* the first that failed; TL_FN_none while bits is TL_OK */
+  int line;         /* value of tl_ctx.line at that moment: the line in the source that tlgen read, 0 where unknown */
+  const char *file; /* value of tl_ctx.file: that source's name, null where the model has only one */
 } tl_status;
 
 typedef struct tl_ctx {
   const tl_shape *shape;
   tl_status status;
   int line;         /* set by generated code before each operation that can fail */
+  const char *file; /* set with it where the model has several sources; a static string */
   tl_real *scratch; /* TL_NSCRATCH jets for the elementary functions */
   tl_real *top;     /* first free number of the frame stack */
   tl_real *end;     /* one past the last */

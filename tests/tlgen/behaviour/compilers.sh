@@ -1,5 +1,6 @@
 #!/usr/bin/env bash
-# Generated code compiles without a warning with gcc and clang, unoptimised and optimised, and computes the same numbers each time.
+# Generated code compiles without a warning with gcc and clang, unoptimised, optimised and with clang's sanitizers for undefined
+# behaviour (which stop the program), and computes the same numbers each time.
 #   compilers.sh FILE_tl.c INCLUDE.. [-- OBJECT OR LIBRARY..]    with objects: links a check of a model, and runs it at two points
 set -euo pipefail
 file=$1
@@ -13,7 +14,9 @@ trap 'rm -rf "$work"' EXIT
 tried=0
 for compiler in gcc clang-19; do
   command -v $compiler >/dev/null || { echo "no $compiler here"; continue; }
-  for level in -O0 -O2; do
+  levels=(-O0 -O2)
+  [ $compiler = gcc ] || levels+=("-O1 -fsanitize=undefined,float-divide-by-zero,float-cast-overflow,implicit-conversion -fsanitize-trap=all")
+  for level in "${levels[@]}"; do
     echo "$compiler $level"
     $compiler -std=c11 $level -Wall -Wextra -Wconversion -Werror "${includes[@]}" -c "$file" -o "$work/model.o"
     tried=$((tried + 1))

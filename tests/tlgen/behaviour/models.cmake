@@ -46,3 +46,5 @@ add_behaviour(sound DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t, &params)" PA
 add_behaviour(temporaries DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
 add_behaviour(literal_values DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd)")
 add_behaviour(else_if DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd)")
+add_behaviour(optional DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
+add_behaviour(habits DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t, &params)" PARAMS "&params")

@@ -27,6 +27,7 @@ static void energy_tl(tl_ctx *cx, tl_real *result, const struct linkage *p, cons
     /* constraints.c:12: for (int i = 0; i < p->coordinates; i++) T += 0.5 * square(qd[i]); */
     cx->line = 12;
     square_tl(cx, tmp0, qd + i*nc);
+    cx->line = 12;
     tl_axpy(cx, T, 0.5, tmp0);
   }
   /* constraints.c:13: return T - 9.81 * (q[1] + q[3]); */
@@ -58,6 +59,7 @@ static void friction_tl(tl_ctx *cx, const tl_real *qd, const struct linkage *p, 
     cx->line = 21;
     tl_real *const speed = frame;
     square_tl(cx, tmp1, qd + i*nc);
+    cx->line = 21;
     tl_shift(cx, tmp0, tmp1, 1.0);
     tl_sqrt(cx, speed, tmp0);
     /* constraints.c:22: out[i] -= speed * qd[i]; */
@@ -90,10 +92,12 @@ static void rods_tl(tl_ctx *cx, const tl_real *q, const tl_real *t_in, const str
   const tl_real *from = q;
   /* constraints.c:29: out[0] = square(q[0] - 0.1 * t) + square(q[1]) - square(p->length[0]); */
   cx->line = 29;
+  cx->line = 29;
   tl_scale(cx, tmp3, t, 0.1);
   tl_sub(cx, tmp2, q, tmp3);
   square_tl(cx, tmp1, tmp2);
   square_tl(cx, tmp4, q + nc);
+  cx->line = 29;
   tl_add(cx, tmp0, tmp1, tmp4);
   tl_shift(cx, out, tmp0, -square(p->length[0]));
   {
@@ -107,8 +111,10 @@ static void rods_tl(tl_ctx *cx, const tl_real *q, const tl_real *t_in, const str
       /* constraints.c:31: *++out = square(from[2] - from[0]) + square(from[3] - from[1]) - square(p->length[k]); */
       cx->line = 31;
       tl_real *const place1_ = (out += nc);
+      cx->line = 31;
       tl_sub(cx, tmp2, from + 2*nc, from);
       square_tl(cx, tmp1, tmp2);
+      cx->line = 31;
       tl_sub(cx, tmp4, from + 3*nc, from + nc);
       square_tl(cx, tmp3, tmp4);
       tl_add(cx, tmp0, tmp1, tmp3);

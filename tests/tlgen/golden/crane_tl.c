@@ -118,6 +118,7 @@ static void lagrangian_tl(tl_ctx *cx, tl_real *result, const tl_real *q, const t
   /* crane.c:41: point load = hang(top, q[2], 1.5 + 0.1 * t); */
   cx->line = 41;
   tl_real *const load = frame + 3*nc;
+  cx->line = 41;
   tl_scale(cx, tmp1, t, 0.1);
   tl_shift(cx, tmp0, tmp1, 1.5);
   hang_tl(cx, load, top, q + 2*nc, tmp0);
@@ -192,6 +193,7 @@ static void cable_tl(tl_ctx *cx, const tl_real *q, const tl_real *t_in, tl_real 
   /* crane.c:54: point load = hang((point){q[1], 0.0}, q[2], 1.0); */
   cx->line = 54;
   tl_real *const load = frame + nc;
+  cx->line = 54;
   tl_copy(cx, frame + 5*nc, q + nc);
   tl_const(cx, frame + 5*nc + nc, 0.0);
   tl_move(cx, frame + 3*nc, frame + 5*nc, 2);

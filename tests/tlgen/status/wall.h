@@ -1,0 +1,2 @@
+/* What wall.c gives to well.c. */
+double wall(double x);
