@@ -7,6 +7,7 @@
 #include <cstdlib>
 #include <functional>
 #include <set>
+#include <tuple>
 
 namespace tlgen {
 
@@ -159,6 +160,8 @@ private:
     walk(s->init);
     if (s->kind == Stmt::Declare) declare(s);
     if (s->expr) visit(s->expr);
+    bool decides = s->kind == Stmt::If || s->kind == Stmt::While || s->kind == Stmt::DoWhile || s->kind == Stmt::For;
+    if (checking_ && decides && s->expr) checkTruth(s->expr);
     if (s->kind == Stmt::Return && s->expr && v_.varied(s->expr)) activate(v_.result, s->loc, "the result");
     if (s->step) visit(s->step);
     walk(s->then);
@@ -190,6 +193,8 @@ private:
         const Field &field = type->record->fields[i];
         give(member(dest, field.name, field.type), field.type, e->args[i], loc, what);
       }
+    } else if (e->kind == Expr::InitList && type->kind == Type::Pointer) {
+      if (!e->args.empty()) give(dest, type, e->args[0], loc, what);
     } else if (type->kind == Type::Pointer) {
       unify(find(dest)->target, v_.target(e), loc);
     } else {
@@ -403,6 +408,15 @@ private:
     if (e->kind == Expr::MathCall && !e->rule) checkMath(e);
     bool equality = e->kind == Expr::Binary && (e->text == "==" || e->text == "!=");
     if (equality && (v_.varied(e->args[0]) || v_.varied(e->args[1]))) activity_.report("active-equality", e->loc, "'" + e->text + "'");
+    bool logical = e->kind == Expr::Binary && (e->text == "&&" || e->text == "||");
+    if (logical || e->kind == Expr::Conditional || (e->kind == Expr::Unary && e->text == "!")) checkTruth(e->args[0]);
+    if (logical) checkTruth(e->args[1]);
+    if (e->kind == Expr::Cast && e->type->name == "_Bool") checkTruth(e->args[0]);
+  }
+
+  // A number as a condition is compared with zero.
+  void checkTruth(const Expr *e) {
+    if (e->type->kind == Type::Real && v_.varied(e)) activity_.report("active-equality", e->loc, "a number as a condition");
   }
 
   // Functions that are constant between jumps, and those without a derivative that anyone would want.
@@ -435,8 +449,11 @@ Activity::Activity(const Program &program, const Model &model, Diagnostics &diag
   std::set<const Variant *> seen;
   std::function<void(Variant *)> list = [&](Variant *v) {
     if (!seen.insert(v).second) return;
-    std::map<std::pair<std::string, std::string>, Variant *> callees; // by name, so that the order does not depend on addresses
-    for (auto &c : v->callees) callees[{c.second->function->name, c.second->signature}] = c.second;
+    std::map<std::tuple<std::string, std::string, int, unsigned>, Variant *> callees; // by name and place: addresses give no order
+    for (auto &c : v->callees) {
+      const Function &f = *c.second->function;
+      callees[{f.name, c.second->signature, f.loc.file, f.loc.line}] = c.second;
+    }
     for (auto &c : callees) list(c.second);
     order_.push_back(v);
   };

@@ -12,10 +12,12 @@ namespace {
 
 namespace c = clang;
 
-// The variables that a function assigns or whose address it takes.
+// The variables that a function assigns or whose address it takes, and how many it has of each name.
 class Changes : public c::RecursiveASTVisitor<Changes> {
 public:
-  explicit Changes(std::set<const c::VarDecl *> &changed) : changed_(changed) {}
+  Changes(std::set<const c::VarDecl *> &changed, std::map<std::string, int> &names) : changed_(changed), names_(names) {}
+
+  bool VisitVarDecl(c::VarDecl *v) { return ++names_[v->getNameAsString()], true; }
 
   bool VisitBinaryOperator(c::BinaryOperator *op) { return op->isAssignmentOp() ? note(op->getLHS()) : true; }
   bool VisitUnaryOperator(c::UnaryOperator *op) {
@@ -30,6 +32,7 @@ private:
   }
 
   std::set<const c::VarDecl *> &changed_;
+  std::map<std::string, int> &names_;
 };
 
 const c::Expr *bare(const c::Expr *e) {
@@ -80,6 +83,12 @@ bool countElements(const c::Expr *bytes, const c::ASTContext &context, int64_t s
     int64_t n = value.Val.getInt().getExtValue();
     copy.number = static_cast<long>(n / size);
     return n >= 0 && n % size == 0;
+  }
+  if (const auto *whole = llvm::dyn_cast<c::UnaryExprOrTypeTraitExpr>(bytes)) {
+    copy.factor = bytes;
+    copy.number = 1;
+    copy.bytes = static_cast<long>(size);
+    return whole->getKind() == c::UETT_SizeOf;
   }
   const auto *product = llvm::dyn_cast<c::BinaryOperator>(bytes);
   if (!product || product->getOpcode() != c::BO_Mul) return false;
@@ -158,7 +167,9 @@ std::string instanceName(const Instance &instance) {
 }
 
 Calls::Calls(const Source &source, const Match &match, const Instance &caller) : source_(source), match_(match), caller_(caller) {
-  if (caller.function->hasBody()) Changes(changed_).TraverseStmt(caller.function->getBody());
+  Changes changes(changed_, names_);
+  for (c::ParmVarDecl *param : caller.function->parameters()) changes.VisitVarDecl(param);
+  if (caller.function->hasBody()) changes.TraverseStmt(caller.function->getBody());
 }
 
 bool Calls::isNull(const c::Expr *e, const c::ASTContext &context) {
@@ -178,11 +189,12 @@ bool Calls::keepsValue(const c::VarDecl *v) const {
   return v->getInit() && (type.isConstQualified() || (isFunctionPointer(v->getType()) && v->hasLocalStorage() && !changed_.count(v)));
 }
 
-// True where an expression has the same value wherever the function evaluates it: literals and variables that it never changes.
+// True where an expression means the same wherever it stands in the function: literals, and variables that never change nor have a
+// namesake.
 bool Calls::isSteady(const c::Stmt *e) const {
   if (const auto *ref = llvm::dyn_cast<c::DeclRefExpr>(e)) {
     const auto *v = llvm::dyn_cast<c::VarDecl>(ref->getDecl());
-    return !v || (v->hasLocalStorage() && !changed_.count(v));
+    return !v || (v->hasLocalStorage() && !changed_.count(v) && names_.at(v->getNameAsString()) == 1);
   }
   if (llvm::isa<c::ArraySubscriptExpr>(e) || llvm::isa<c::MemberExpr>(e) || llvm::isa<c::CallExpr>(e)) return false;
   if (const auto *op = llvm::dyn_cast<c::UnaryOperator>(e))

@@ -34,6 +34,7 @@ struct BulkCopy {
   clang::QualType element;
   const clang::Expr *factor = nullptr; // elements: number, times factor where there is one
   long number = 0;
+  long bytes = 0; // of an element, where factor counts bytes: the size of an array of variable length
   bool overlap = false;
 };
 
@@ -54,6 +55,8 @@ public:
   Calls(const Source &source, const Match &match, const Instance &caller);
 
   Reach reach(const clang::CallExpr *call) const;
+  // True where an expression has the same value throughout the function.
+  bool isSteady(const clang::Stmt *e) const;
   // True where what the expression names or holds is a function.
   static bool isFunctionPointer(clang::QualType type) { return type->isFunctionPointerType(); }
   // True for NULL, whatever it is made of.
@@ -69,13 +72,13 @@ private:
   Settled settle(const clang::Expr *e) const;
   Settled objects(const clang::Expr *lvalue) const;
   const clang::FunctionDecl *function(const clang::Expr *e) const;
-  bool isSteady(const clang::Stmt *e) const;
   bool keepsValue(const clang::VarDecl *v) const;
 
   const Source &source_;
   const Match &match_;
   const Instance &caller_;
   std::set<const clang::VarDecl *> changed_;
+  std::map<std::string, int> names_; // of parameters and locals: how many have it
 };
 
 } // namespace tlgen

@@ -192,7 +192,11 @@ private:
       const Variable *param = f.function->params[k];
       Arg arg = f.args[k];
       bool array = (arg.role == ArgRole::Q || arg.role == ArgRole::Qd) && arg.index < 0;
-      args += std::string(", ") + (array && !param->type->element->isConst ? "(tl_real *)" : "") + names[static_cast<int>(arg.role)];
+      bool changeable = param->type->kind == Type::Pointer && !param->type->element->isConst;
+      std::string cast = array && changeable                         ? "(tl_real *)"
+                         : arg.role == ArgRole::Params && changeable ? "(" + model_.params->spelling + " *)"
+                                                                     : "";
+      args += ", " + cast + names[static_cast<int>(arg.role)];
       if (arg.index > 0) args += arg.index == 1 ? " + nc" : " + " + std::to_string(arg.index) + "*nc";
       several |= arg.index > 0;
       used[static_cast<int>(arg.role)] = true;

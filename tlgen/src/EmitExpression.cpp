@@ -201,6 +201,8 @@ Text FunctionEmitter::pointer(const Expr *e) {
   }
   case Expr::Conditional:
     return conditionalValue(e);
+  case Expr::InitList:
+    return {"(" + jetDeclaration(e->type, "") + "){" + (e->args.empty() ? "NULL" : pointer(e->args[0]).s) + "}", Primary};
   case Expr::Comma:
     if (needsStatements(e)) return evaluate(e->args[0]), pointer(e->args[1]);
     return {operand(value(e->args[0]), Assignment) + ", " + operand(pointer(e->args[1]), Assignment), Sequence};

@@ -40,6 +40,7 @@ std::string FunctionEmitter::run() {
   survey(v_.function->body);
   for (auto it = frame_.constants.begin(); it != frame_.constants.end();)
     it = assigned_.count(it->first) ? frame_.constants.erase(it) : std::next(it);
+  for (const Variable *param : v_.function->params) hoistedNames_.insert(param->name);
   copyParameters();
   for (const Variable *param : v_.function->params)
     if (!referenced_.count(param)) line("(void)" + param->name + ";");

@@ -7,6 +7,7 @@
 #include "clang/AST/Expr.h"
 #include "clang/Basic/SourceManager.h"
 #include "llvm/ADT/SmallString.h"
+#include "llvm/Support/raw_ostream.h"
 
 #include <cstdio>
 #include <cstdlib>
@@ -162,7 +163,10 @@ const Record *Lowering::record(const c::RecordDecl *decl) {
   std::string tag = decl->getNameAsString();
   if (name) spelling = name->getNameAsString();
   if (!name && tag.empty()) { // it needs a name of its own to be declared by
-    tag = "unnamed_" + std::to_string(context_->getSourceManager().getPresumedLoc(decl->getLocation()).getLine());
+    std::string file = program_.files[static_cast<size_t>(loc(decl->getLocation()).file)];
+    for (char &ch : file)
+      if (!isalnum(static_cast<unsigned char>(ch))) ch = '_';
+    tag = "unnamed_" + file + "_" + std::to_string(context_->getSourceManager().getPresumedLoc(decl->getLocation()).getLine());
     spelling = "struct " + tag;
   }
   auto found = records_.find(decl);
@@ -174,7 +178,7 @@ const Record *Lowering::record(const c::RecordDecl *decl) {
   r->loc = loc(decl->getLocation());
   if (decl->isCompleteDefinition())
     for (const c::FieldDecl *field : decl->fields())
-      r->fields.push_back({nameOf(field), refusedType(field->getType()) ? room(field) : type(field->getType())});
+      r->fields.push_back({nameOf(field), refusedMember(field) ? room(field) : type(field->getType())});
   for (int n = 2; const Record *other = sameName(*r); ++n) {
     if (sameFields(*r, *other)) return records_[decl] = other; // of another translation unit
     std::string end = "_" + std::to_string(n);                 // of another scope
@@ -387,7 +391,10 @@ Stmt *Lowering::evaluation(const c::Stmt *s, Expr *value) {
 Stmt *Lowering::copyOf(const c::CallExpr *call, const BulkCopy &copy) {
   const c::Expr *bytes = call->getArg(2); // of the type size_t
   Expr *count = node(Expr::Literal, bytes, {}, std::to_string(copy.number) + suffix(bytes->getType()));
-  if (copy.factor) count = node(Expr::Binary, bytes, {node(Expr::Cast, bytes, {expr(copy.factor)}), count}, "*");
+  if (copy.bytes)
+    count = node(Expr::Binary, bytes,
+                 {expr(copy.factor), node(Expr::Literal, bytes, {}, std::to_string(copy.bytes) + suffix(bytes->getType()))}, "/");
+  if (copy.factor && !copy.bytes) count = node(Expr::Binary, bytes, {node(Expr::Cast, bytes, {expr(copy.factor)}), count}, "*");
   return copyLoop(program_, loc(call->getExprLoc()), expr(copy.to), copy.from ? expr(copy.from) : nullptr, count, copy.overlap);
 }
 
@@ -403,6 +410,13 @@ Expr *Lowering::node(Expr::Kind kind, const c::Expr *e, std::vector<Expr *> args
 
 Expr *Lowering::castOf(const c::CastExpr *e) {
   if (Calls::isNull(e, *context_)) return node(Expr::Literal, e, {}, "NULL");
+  if (const auto *text = llvm::dyn_cast<c::StringLiteral>(e->getSubExpr()->IgnoreParens()))
+    if (e->getCastKind() == c::CK_ArrayToPointerDecay) {
+      std::string quoted;
+      llvm::raw_string_ostream out(quoted);
+      text->outputString(out);
+      return node(Expr::Literal, e, {}, out.str());
+    }
   Expr *inner = expr(e->getSubExpr());
   switch (e->getCastKind()) {
   case c::CK_NoOp:
@@ -507,10 +521,13 @@ Expr *Lowering::sizeOf(const c::UnaryExprOrTypeTraitExpr *e, c::QualType of) {
 // The list of characters that a string is as an initialiser: as many as the array has.
 Expr *Lowering::characters(const c::StringLiteral *e) {
   Expr *list = node(Expr::InitList, e, {});
+  c::QualType type = e->getType()->getAsArrayTypeUnsafe()->getElementType();
+  const uint64_t bits = context_->getTypeSize(type), sign = uint64_t(1) << (bits - 1);
   for (long i = 0; i < list->type->count; ++i) {
-    Expr *item = node(
-        Expr::Literal, e, {},
-        std::to_string(static_cast<signed char>(i < static_cast<long>(e->getLength()) ? e->getCodeUnit(static_cast<unsigned>(i)) : 0)));
+    uint64_t unit = i < static_cast<long>(e->getLength()) ? e->getCodeUnit(static_cast<unsigned>(i)) : 0;
+    long long value =
+        static_cast<long long>(unit) - (type->isSignedIntegerType() && (unit & sign) ? static_cast<long long>(2 * sign) : 0);
+    Expr *item = node(Expr::Literal, e, {}, std::to_string(value) + (type->isSignedIntegerType() ? "" : "u"));
     item->type = list->type->element;
     list->args.push_back(item);
   }
@@ -580,9 +597,12 @@ Expr *Lowering::expr(const c::Expr *e) {
   if (const auto *cond = llvm::dyn_cast<c::ConditionalOperator>(e))
     return node(Expr::Conditional, e, {expr(cond->getCond()), expr(cond->getTrueExpr()), expr(cond->getFalseExpr())});
   if (const auto *call = llvm::dyn_cast<c::CallExpr>(e)) return callOf(call);
-  if (const auto *list = llvm::dyn_cast<c::InitListExpr>(e)) return initList(list);
+  if (const auto *list = llvm::dyn_cast<c::InitListExpr>(e)) {
+    bool braced = list->getNumInits() == 1 && !list->getType()->isArrayType() && !list->getType()->isRecordType(); // double x = {1}
+    return braced ? expr(list->getInit(0)) : initList(list);
+  }
   if (const auto *compound = llvm::dyn_cast<c::CompoundLiteralExpr>(e)) {
-    Expr *list = expr(compound->getInitializer());
+    Expr *list = initList(llvm::cast<c::InitListExpr>(compound->getInitializer()));
     list->text = "compound";
     return list;
   }

@@ -28,6 +28,7 @@ static const MathFunction table[] = {
 
 std::string mathName(const std::string &name) {
   const std::string builtin = "__builtin_";
+  if (name == "__builtin_isinf_sign") return "isinf";
   return name.compare(0, builtin.size(), builtin) == 0 ? name.substr(builtin.size()) : name;
 }
 

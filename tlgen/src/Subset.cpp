@@ -17,13 +17,36 @@ using clang::Stmt;
 
 // The attribute of a declaration that may change what it means; null where there is none.
 const Attr *otherMeaning(const Decl *decl) {
-  static const std::set<std::string> harmless = {
-      "unused",          "maybe_unused", "used",        "always_inline", "noinline",
-      "const",           "pure",         "hot",         "cold",          "nonnull",
-      "nothrow",         "deprecated",   "annotate",    "gnu_inline",    "leaf",
-      "malloc",          "flatten",      "artificial",  "section",       "visibility",
-      "minsize",         "optnone",      "no_sanitize", "target",        "warn_unused_result",
-      "returns_nonnull", "nodiscard",    "noclone"};
+  static const std::set<std::string> harmless = {"unused",
+                                                 "maybe_unused",
+                                                 "used",
+                                                 "always_inline",
+                                                 "noinline",
+                                                 "const",
+                                                 "pure",
+                                                 "hot",
+                                                 "cold",
+                                                 "nonnull",
+                                                 "nothrow",
+                                                 "deprecated",
+                                                 "annotate",
+                                                 "gnu_inline",
+                                                 "leaf",
+                                                 "malloc",
+                                                 "flatten",
+                                                 "artificial",
+                                                 "section",
+                                                 "visibility",
+                                                 "noreturn",
+                                                 "_Noreturn",
+                                                 "minsize",
+                                                 "optnone",
+                                                 "no_sanitize",
+                                                 "target",
+                                                 "warn_unused_result",
+                                                 "returns_nonnull",
+                                                 "nodiscard",
+                                                 "noclone"};
   for (const Attr *a : decl->attrs()) {
     bool packing = isa<MaxFieldAlignmentAttr>(a);
     if ((packing || !a->isImplicit()) && !isa<AsmLabelAttr>(a) && !harmless.count(a->getSpelling())) return a;
@@ -44,7 +67,7 @@ const char *refused(QualType type, bool behind, std::set<const RecordDecl *> &se
   if (type->isUnionType()) return "union";
   if (const auto *record = type->getAs<RecordType>()) {
     const RecordDecl *def = record->getDecl()->getDefinition();
-    if (!def) return "type";
+    if (!def || def->field_empty()) return "type";
     if (!seen.insert(def).second) return nullptr;
     if (otherMeaning(def)) return "attribute";
     for (const FieldDecl *field : def->fields()) {
@@ -60,7 +83,7 @@ const char *refused(QualType type, bool behind, std::set<const RecordDecl *> &se
     return nullptr;
   }
   if (type->isSpecificBuiltinType(BuiltinType::Double) || type->isSpecificBuiltinType(BuiltinType::Float)) return nullptr;
-  if (type->isIntegralOrEnumerationType()) return nullptr;
+  if (type->isIntegralOrEnumerationType() && !type->isBitIntType()) return nullptr;
   return "type";
 }
 
@@ -88,6 +111,10 @@ public:
   }
 
   bool TraverseStaticAssertDecl(StaticAssertDecl *) { return true; } // Clang has seen to it
+
+  bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *e, DataRecursionQueue * = nullptr) {
+    return VisitStmt(e);
+  } // nobody evaluates it
 
   // What an assembler would read is nothing to look at.
   bool TraverseGCCAsmStmt(GCCAsmStmt *s, DataRecursionQueue * = nullptr) { return VisitStmt(s); }
@@ -142,7 +169,8 @@ public:
   }
 
   bool VisitMemberExpr(MemberExpr *e) {
-    if (const char *id = refusedType(e->getType()))
+    const auto *field = dyn_cast<FieldDecl>(e->getMemberDecl());
+    if (const char *id = field ? refusedMember(field) : "type")
       report(id, e->getMemberLoc(), "member '" + e->getMemberDecl()->getNameAsString() + "'");
     return true;
   }
@@ -219,9 +247,13 @@ private:
     return def && std::any_of(def->field_begin(), def->field_end(), [](const FieldDecl *f) { return holdsFunction(f->getType()); });
   }
 
-  // A string that initialises an array is a list of its characters.
+  // A string that initialises an array is a list of its characters; one that a table points to is a name.
   void noteString(const Expr *init) {
-    if (const auto *text = dyn_cast<StringLiteral>(init->IgnoreParens())) strings_.insert(text);
+    if (const auto *text = dyn_cast<StringLiteral>(init->IgnoreParenImpCasts())) strings_.insert(text);
+    const auto *list = dyn_cast<InitListExpr>(init);
+    if (list && list->getSemanticForm()) list = list->getSemanticForm();
+    for (unsigned i = 0; list && i < list->getNumInits(); ++i)
+      if (list->getInit(i)) noteString(list->getInit(i));
   }
 
   // An external function with a rule computes a number from numbers.
@@ -269,6 +301,9 @@ private:
       return nullptr;
     if (isa<CastExpr>(s)) return Calls::isNull(cast<CastExpr>(s), context_) ? nullptr : refusedCast(cast<CastExpr>(s));
     if (const auto *op = dyn_cast<UnaryOperator>(s)) return refusedUnary(op);
+    if (const auto *size = dyn_cast<UnaryExprOrTypeTraitExpr>(s))
+      for (QualType t = size->getTypeOfArgument(); const auto *array = context_.getAsVariableArrayType(t); t = array->getElementType())
+        if (!calls_.isSteady(array->getSizeExpr())) return "vla"; // its length of then
     if (isa<IntegerLiteral>(s) || isa<FloatingLiteral>(s) || isa<CharacterLiteral>(s) || isa<ParenExpr>(s) || isa<DeclRefExpr>(s) ||
         isa<ArraySubscriptExpr>(s) || isa<MemberExpr>(s) || isa<BinaryOperator>(s) || isa<ConditionalOperator>(s) || isa<CallExpr>(s) ||
         isa<InitListExpr>(s) || isa<ImplicitValueInitExpr>(s) || isa<UnaryExprOrTypeTraitExpr>(s) || isa<ConstantExpr>(s) ||
@@ -362,7 +397,7 @@ private:
     std::string name = "'" + v->getNameAsString() + "'";
     if (!deepConst(v->getType())) return report("global-state", at, "global variable " + name);
     const VarDecl *def = v->getInitializingDeclaration();
-    if (!def) return report("global-state", at, "constant " + name + " without a value");
+    if (!def || !def->getInit()) return report("global-state", at, "constant " + name + " without a value");
     if (const char *id = refusedType(v->getType())) return report(id, at, name);
     if (!visitedGlobals_.insert(def).second) return;
     if (holdsFunction(def->getType())) settled(def->getInit());
@@ -452,6 +487,11 @@ private:
 const char *refusedType(QualType type) {
   std::set<const RecordDecl *> seen;
   return refused(type, false, seen);
+}
+
+const char *refusedMember(const FieldDecl *field) {
+  std::set<const RecordDecl *> seen;
+  return refused(field->getType(), field->getASTContext().getBaseElementType(field->getType())->isRecordType(), seen);
 }
 
 std::vector<Instance> checkSubset(const Source &source, const Match &match) {

@@ -10,6 +10,9 @@ namespace tlgen {
 // of types that are not accepted themselves: those are refused where they are used.
 const char *refusedType(clang::QualType type);
 
+// The same for a member of a struct behind a pointer: where that is a struct, it may be a step to its members.
+const char *refusedMember(const clang::FieldDecl *field);
+
 // Walks the model's functions and all that they call. Returns them, callees before callers; whole only where nothing was reported.
 std::vector<Instance> checkSubset(const Source &source, const Match &match);
 

@@ -75,6 +75,16 @@ static double halves(double x)
   return two.p[0] * two.angle + w[1];
 }
 
+static double variable(const double *x, int n)
+{
+  double a[n], b[n][2], s = 0.0;
+  memcpy(a, x, sizeof a);
+  memset(b, 0, sizeof b);
+  memcpy(b[n - 1], x, sizeof b[0]);
+  for (int i = 0; i < n; i++) s += a[i] * a[i] + b[i][0] * b[i][1];
+  return s;
+}
+
 double lagrangian(const double *q, const double *qd, double t)
 {
   double r[3][3], s[3][3], x[4] = {q[0], qd[0], q[1], qd[1]}, y[2];
@@ -84,6 +94,6 @@ double lagrangian(const double *q, const double *qd, double t)
   memcpy(y, q, sizeof y);
   memcpy(flat, y, sizeof flat[0]);
   memcpy(flat[1], qd, sizeof flat[1]);
-  return trace_of_product(r, s) + s[0][1] * qd[0] * qd[1] + shift(x, 4) + poses(q[0], qd[1]) + poses(qd[1], q[0]) + passive() * y[1] + halves(q[1]) +
+  return trace_of_product(r, s) + s[0][1] * qd[0] * qd[1] + shift(x, 4) + poses(q[0], qd[1]) + poses(qd[1], q[0]) + passive() * y[1] + halves(q[1]) + variable(q, 2) * variable(qd, 2) +
          flat[0][1] * flat[1][0];
 }

@@ -36,6 +36,19 @@ done:;
   return twice;
 }
 
+/* A block's own name for what a parameter is called too. */
+static double shadowed(double x, double y)
+{
+  double s = y;
+  if (y > 10.0) goto out;
+  {
+    double x = y * y;
+    s += x * x;
+  }
+out:
+  return s * x;
+}
+
 double lagrangian(const double *q, const double *qd) {
   double s = 0;
   for (int kind = SOFT; kind <= OTHER; kind++) {
@@ -45,5 +58,5 @@ double lagrangian(const double *q, const double *qd) {
     }
     s += spring(kind, q[kind % 2] + 0.1 * kind) * qd[1];
   }
-  return s + first_above(q, 2, 0.4) + first_above(qd, 2, -3.0) + spring(HARD, qd[0]);
+  return s + first_above(q, 2, 0.4) + first_above(qd, 2, -3.0) + spring(HARD, qd[0]) + shadowed(q[0], qd[1]);
 }

@@ -9,8 +9,14 @@ static void exchange(double **a, double **b) {
 
 static double square(double x) { return x * x; }
 
+static double cross(const double *const *rows, int n) {
+  double s = 0;
+  for (int i = 0; i < n; i++) s += rows[i][0] * rows[n - 1 - i][1];
+  return s;
+}
+
 double lagrangian(const double *q, const double *qd) {
-  const double *rows[2] = {q, qd}, *walk = q, **at = &walk;
+  const double *rows[2] = {q, qd}, *walk = {q}, **at = &walk;
   double even[2] = {0, 1}, odd[2] = {2, 3}, *pair[2] = {even, odd};
   double s = 0;
   for (int i = 0; i < 4; i++) s += rows[i % 2][i / 2] * (i + 1);
@@ -20,5 +26,5 @@ double lagrangian(const double *q, const double *qd) {
   even[0] = walk[0] * qd[0];
   exchange(&pair[0], &pair[1]);
   pair[0][1] = s;
-  return pair[1][0] * pair[0][1] + even[1] * **at + odd[0];
+  return pair[1][0] * pair[0][1] + even[1] * **at + odd[0] + cross((const double *const[]){q, qd}, 2) * cross(&(const double *){qd}, 1);
 }

@@ -30,7 +30,7 @@ static double others(double x, double y)
   long n = lround(3.0 * x);
   double s = (3.0 * x - n) * y + (x - ceil(x)) * (y - rint(y)) + (x - round(x)) * nearbyint(4.0 * y) + abs((int)n) * x;
   s += fmod(3.0 * x, 0.75) * y + remainder(5.0 * y, 0.75) * x + fmod(2.5, y + 3.0) + remainder(x, y + 2.5) + fdim(x, y) * x;
-  if (isnan(x) || signbit(x - y) || !isfinite(y)) s += x * y;
+  if (isnan(x) || isinf(y) || signbit(x - y) || !isfinite(y)) s += x * y;
   return s + erfc(x) + tgamma(2.5 + x) + lgamma(3.0 + y) + ldexp(x * y, 3) + scalbn(x, -1) + fdim(0.25, y) + floor(0.5) * x;
 }
 

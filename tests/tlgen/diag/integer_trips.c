@@ -32,7 +32,7 @@ static double counted(double x)
   n *= x;        /* expect: active-integer */
   n -= x;        /* expect: active-integer */
   _Bool b = 0;
-  b += x; /* is b + x != 0 */
+  b += x; /* warns: active-equality */
   return n + b;
 }
 static double selected(double x)
