@@ -191,15 +191,15 @@ bool Calls::keepsValue(const c::VarDecl *v) const {
 
 // True where an expression means the same wherever it stands in the function: literals, and variables that never change nor have a
 // namesake.
-bool Calls::isSteady(const c::Stmt *e) const {
+bool Calls::isSteady(const c::Stmt *e, bool members) const {
   if (const auto *ref = llvm::dyn_cast<c::DeclRefExpr>(e)) {
     const auto *v = llvm::dyn_cast<c::VarDecl>(ref->getDecl());
     return !v || (v->hasLocalStorage() && !changed_.count(v) && names_.at(v->getNameAsString()) == 1);
   }
-  if (llvm::isa<c::ArraySubscriptExpr>(e) || llvm::isa<c::MemberExpr>(e) || llvm::isa<c::CallExpr>(e)) return false;
+  if (llvm::isa<c::ArraySubscriptExpr>(e) || (llvm::isa<c::MemberExpr>(e) && !members) || llvm::isa<c::CallExpr>(e)) return false;
   if (const auto *op = llvm::dyn_cast<c::UnaryOperator>(e))
     if (op->getOpcode() == c::UO_Deref) return false;
-  return std::all_of(e->child_begin(), e->child_end(), [&](const c::Stmt *part) { return !part || isSteady(part); });
+  return std::all_of(e->child_begin(), e->child_end(), [&](const c::Stmt *part) { return !part || isSteady(part, members); });
 }
 
 // The initialisers of what an lvalue may name.

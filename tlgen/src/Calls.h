@@ -55,8 +55,8 @@ public:
   Calls(const Source &source, const Match &match, const Instance &caller);
 
   Reach reach(const clang::CallExpr *call) const;
-  // True where an expression has the same value throughout the function.
-  bool isSteady(const clang::Stmt *e) const;
+  // True where an expression has the same value throughout the function; members are taken for constant where that is said.
+  bool isSteady(const clang::Stmt *e, bool members = false) const;
   // True where what the expression names or holds is a function.
   static bool isFunctionPointer(clang::QualType type) { return type->isFunctionPointerType(); }
   // True for NULL, whatever it is made of.

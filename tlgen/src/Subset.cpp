@@ -161,6 +161,8 @@ public:
     if (const char *id = refusedType(v->getType()))
       report(id, v->getLocation(), name + " of type '" + v->getType().getAsString() + "'");
     if (const Attr *a = otherMeaning(v)) report("attribute", v->getLocation(), std::string("'") + a->getSpelling() + "' of " + name);
+    for (QualType t = v->getType(); const auto *array = context_.getAsVariableArrayType(t); t = array->getElementType())
+      if (!calls_.isSteady(array->getSizeExpr(), true)) report("vla", v->getLocation(), name);
     if (v->isStaticLocal() && !deepConst(v->getType())) report("global-state", v->getLocation(), "static variable " + name);
     if (v->hasExternalStorage()) report("global-state", v->getLocation(), "extern variable " + name);
     if (v->getInit() && holdsFunction(v->getType())) settled(v->getInit());
@@ -303,7 +305,7 @@ private:
     if (const auto *op = dyn_cast<UnaryOperator>(s)) return refusedUnary(op);
     if (const auto *size = dyn_cast<UnaryExprOrTypeTraitExpr>(s))
       for (QualType t = size->getTypeOfArgument(); const auto *array = context_.getAsVariableArrayType(t); t = array->getElementType())
-        if (!calls_.isSteady(array->getSizeExpr())) return "vla"; // its length of then
+        if (!calls_.isSteady(array->getSizeExpr(), true)) return "vla"; // its length of then
     if (isa<IntegerLiteral>(s) || isa<FloatingLiteral>(s) || isa<CharacterLiteral>(s) || isa<ParenExpr>(s) || isa<DeclRefExpr>(s) ||
         isa<ArraySubscriptExpr>(s) || isa<MemberExpr>(s) || isa<BinaryOperator>(s) || isa<ConditionalOperator>(s) || isa<CallExpr>(s) ||
         isa<InitListExpr>(s) || isa<ImplicitValueInitExpr>(s) || isa<UnaryExprOrTypeTraitExpr>(s) || isa<ConstantExpr>(s) ||
