@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
-# makefile.sh EXAMPLES TREE PREFIX OPTION..: the example with a plain Makefile builds against an installed copy; make does nothing the second
-# time, and runs tlgen again where a header of the model changed. Of cmake's options the compiler and its flags are taken.
+# makefile.sh EXAMPLES TREE PREFIX OPTION..: the example with a plain Makefile builds against an installed copy with the command that its
+# first lines show; make does nothing the second time, runs tlgen again where a header of the model changed, and says what is missing. Of
+# cmake's options the compiler and its flags are taken.
 set -euo pipefail
 examples=$1 tree=$2 prefix=$3
 shift 3
@@ -16,10 +17,26 @@ mkdir -p "$tree"
 cp -r "$examples/makefile" "$examples/models" "$tree"
 cd "$tree/makefile"
 pc=$(find "$prefix" -name libtaylor.pc -print -quit)
-export PKG_CONFIG_PATH=${pc%/*}
+unset PKG_CONFIG_PATH TLGEN
+settings+=("PKG_CONFIG_PATH=${pc%/*}")
 
 build() { make --no-print-directory "${settings[@]}" >said 2>&1 || { cat said; exit 1; }; }
 fail() { echo "$1"; cat said; exit 1; }
+
+# refused TEXT SETTING..: make stops with this text before it does anything.
+refused() {
+  local text=$1
+  shift
+  make --no-print-directory "$@" >said 2>&1 && fail "make $* is content"
+  grep -qF "$text" said || fail "make $* does not say: $text"
+  [ -z "$(ls | grep -e '\.o$' -e _tl)" ] || fail "make $* leaves files: $(ls)"
+}
+export PKG_CONFIG_LIBDIR=
+refused "say where it is, as in make PKG_CONFIG_PATH=PREFIX/lib/pkgconfig"
+refused "say where it is, as in make PKG_CONFIG_PATH=PREFIX/lib/pkgconfig" PKG_CONFIG_PATH="$tree"
+unset PKG_CONFIG_LIBDIR
+refused "say where one is, as in make TLGEN=FOLDER/tlgen" "${settings[@]}" TLGEN=
+make --no-print-directory clean >said 2>&1 || fail "make clean wants libtaylor"
 
 build
 ./swing >printed
