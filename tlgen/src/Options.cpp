@@ -151,6 +151,9 @@ bool setFlag(Options &o, Run *run, const std::string &arg) {
   return false;
 }
 
+// Of options with one dash tlgen has -o and -p with a value; what else begins so was meant for the compiler.
+bool isForTheCompiler(const std::string &arg) { return arg[0] == '-' && arg[1] != '-' && arg != "-o" && arg != "-p"; }
+
 // run is null on a line of a file of models.
 bool parseArguments(const std::vector<std::string> &args, Options &o, Run *run) {
   for (size_t i = 0; i < args.size(); ++i) {
@@ -167,6 +170,8 @@ bool parseArguments(const std::vector<std::string> &args, Options &o, Run *run) 
       o.sources.push_back(arg);
       continue;
     }
+    if (isForTheCompiler(arg))
+      return usageError("'" + arg + "' is no option of tlgen; compiler arguments belong behind '--': tlgen SOURCE.c .. -- " + arg);
     if (eq == std::string::npos && i + 1 >= args.size()) return usageError(name + " wants a value (or is no option)");
     if (!setOption(o, run, name, eq == std::string::npos ? args[++i] : arg.substr(eq + 1))) return false;
   }
