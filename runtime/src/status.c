@@ -36,6 +36,7 @@ static void put_function(writer *w, const eom_report *r) {
   put(w, "\n");
   if (r->jet.bits == TL_OK) return;
   put(w, "  %s in %s", tl_status_text(r->jet.bits), tl_fn_name(r->jet.function));
+  if (r->jet.bits & TL_NO_SPACE) put(w, " (does a helper call itself deeper than was said to tlgen?)");
   if (r->jet.line > 0) put(w, ", line %d of %s", r->jet.line, r->jet.file ? r->jet.file : "the model");
   put(w, "\n");
 }

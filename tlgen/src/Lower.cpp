@@ -253,10 +253,13 @@ Variable *Lowering::variable(const c::VarDecl *decl, Variable::Scope scope) {
 }
 
 const Variable *Lowering::reference(const c::VarDecl *decl) {
-  if (const c::VarDecl *init = decl->getInitializingDeclaration()) decl = init;
+  if (const c::VarDecl *init = decl->hasGlobalStorage() ? source_.definition(decl) : nullptr) decl = init;
   auto found = variables_.find(decl);
   if (found != variables_.end()) return found->second;
+  const c::ASTContext *here = context_;
+  context_ = &decl->getASTContext(); // it may be another file's
   Variable *global = variable(decl, Variable::Global);
+  context_ = here;
   program_.globals.push_back(global);
   return global;
 }

@@ -21,6 +21,18 @@ void MemoryCheck::runModel(const ModelFunction &f) {
   std::vector<Cells> args;
   for (size_t i = 0; i < f.args.size(); ++i) args.push_back(argument(f, i));
   runBody(f.function, args);
+  if (!over())
+    for (const Arg &arg : f.args) checkRows(f, arg);
+}
+
+// Every row of a constraint, and a Lagrangian's result, is written on some path.
+void MemoryCheck::checkRows(const ModelFunction &f, const Arg &arg) {
+  if (arg.role != ArgRole::Out || f.role == Role::Force) return;
+  const Object *rows = find(object(0, &arg, "", nullptr));
+  if (!rows || rows->isSummary()) return;
+  for (size_t i = 0; i < rows->cells.size(); ++i)
+    if (!rows->cells[i].assigned)
+      diags_.add("row-unwritten", program_, f.function->loc, "row " + std::to_string(i) + " of '" + f.function->name + "'");
 }
 
 // An array of coordinates or results has a length of its own; a parameter struct may be anywhere.

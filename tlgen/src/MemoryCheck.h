@@ -69,6 +69,7 @@ private:
   // Model functions, statements and calls
   void runModel(const ModelFunction &f);
   Cells argument(const ModelFunction &f, size_t i);
+  void checkRows(const ModelFunction &f, const Arg &arg);
   void exec(const Stmt *s);
   void execIf(const Stmt *s);
   void execSwitch(const Stmt *s);

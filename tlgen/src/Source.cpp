@@ -17,6 +17,8 @@ std::string pathOf(const clang::SourceManager &sm, const clang::PresumedLoc &loc
 Source::Source(const std::vector<clang::ASTUnit *> &units, Diagnostics &diags) : units_(units), diags_(diags) {
   for (const clang::ASTUnit *unit : units)
     for (const clang::Decl *decl : unit->getASTContext().getTranslationUnitDecl()->decls()) {
+      const auto *variable = llvm::dyn_cast<clang::VarDecl>(decl);
+      if (variable && variable->hasInit() && variable->isExternallyVisible()) constants_.emplace(variable->getNameAsString(), variable);
       const auto *function = llvm::dyn_cast<clang::FunctionDecl>(decl);
       if (!function || !function->doesThisDeclarationHaveABody()) continue;
       definitions_.push_back(function);
@@ -61,6 +63,14 @@ std::vector<std::string> Source::systemHeaders(size_t unit) const {
     if (!name.empty() && std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
   }
   return names;
+}
+
+const clang::VarDecl *Source::definition(const clang::VarDecl *declared) const {
+  if (const clang::VarDecl *here = declared->getInitializingDeclaration()) return here;
+  auto found = constants_.find(declared->getNameAsString());
+  bool same = found != constants_.end() && declared->isExternallyVisible() &&
+              found->second->getType().getCanonicalType().getAsString() == declared->getType().getCanonicalType().getAsString();
+  return same ? found->second : nullptr;
 }
 
 std::string Source::place(const clang::FunctionDecl *function) {

@@ -26,6 +26,8 @@ public:
   const clang::FunctionDecl *find(const std::string &name) const;
   // The definition of a declared function, here or in another translation unit; null where there is none.
   const clang::FunctionDecl *definition(const clang::FunctionDecl *declared) const;
+  // The declaration of a variable that gives it its value, here or in another translation unit; null where there is none.
+  const clang::VarDecl *definition(const clang::VarDecl *declared) const;
 
   // The number of the source, from 0, whose reading found the declaration.
   size_t unitOf(const clang::Decl *decl) const;
@@ -41,6 +43,7 @@ private:
 
   std::vector<const clang::FunctionDecl *> definitions_;
   std::map<std::string, const clang::FunctionDecl *> byName_;
+  std::map<std::string, const clang::VarDecl *> constants_; // with external linkage
   Diagnostics &diags_;
 };
 

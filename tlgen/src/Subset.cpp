@@ -398,7 +398,7 @@ private:
   void checkGlobal(const VarDecl *v, SourceLocation at) {
     std::string name = "'" + v->getNameAsString() + "'";
     if (!deepConst(v->getType())) return report("global-state", at, "global variable " + name);
-    const VarDecl *def = v->getInitializingDeclaration();
+    const VarDecl *def = source_.definition(v);
     if (!def || !def->getInit()) return report("global-state", at, "constant " + name + " without a value");
     if (const char *id = refusedType(v->getType())) return report(id, at, name);
     if (!visitedGlobals_.insert(def).second) return;

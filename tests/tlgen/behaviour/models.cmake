@@ -23,7 +23,7 @@ add_behaviour(marks MARKED DOF 2 LAGRANGIAN "action(out, &params, qd, q)" FORCE 
   PARAMS "&params")
 add_behaviour(order DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
 add_behaviour(aliases DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
-add_behaviour(two_files HELPERS other_file FILES two_files_helper.c DOF 1 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
+add_behaviour(two_files HELPERS other_file two_files_scale two_files_table FILES two_files_helper.c DOF 1 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
 add_behaviour(passive DOF n LAGRANGIAN "out[0] = lagrangian(q, &params)" FORCE "push(q, qd, out)" HOLONOMIC "2: fixed(q, out)"
   NONHOLONOMIC "out[0] = zero(qd)" PARAMS "&params")
 add_behaviour(literals DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")

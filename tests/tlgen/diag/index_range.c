@@ -5,7 +5,7 @@ double L(const double *q, const double qd[2])
   return qd[1] * qd[-1] + q[2]; /* expect: index-range */
 }
 enum { LAST = 2 };
-void phi(const double *q, double *out)
+void phi(const double *q, double *out) /* expect: row-unwritten */
 {
   out[0] = q[0];
   out[LAST] = q[1]; /* expect: index-range */

@@ -28,6 +28,7 @@ expect() {
 
 expect 2 "no source file" "$tlgen"
 expect 2 "unknown option '--colour'" "$tlgen" "${good[@]}" --colour red
+expect 2 "compiler arguments belong behind '--'" "$tlgen" "${good[@]}" -I../x -- -DX
 expect 2 "--dof wants a value" "$tlgen" model.c --lagrangian L --dof
 expect 2 "--dof is given twice" "$tlgen" "${good[@]}" --dof 2
 expect 2 "--model is empty" "$tlgen" "${good[@]}" --model=
