@@ -51,6 +51,15 @@ std::unique_ptr<tooling::CompilationDatabase> makeDatabase(const Options &o, Dia
   return database;
 }
 
+// An assert.h whose assert computes nothing, as with NDEBUG, but leaves its condition to be looked at.
+const char *const ownHeaders = "/tlgen-headers", *const ownAssertName = "/tlgen-headers/assert.h";
+const char *const ownAssert = R"(#undef assert
+#define assert(condition) ((void)sizeof((condition) ? 1 : 0))
+#ifndef static_assert
+#define static_assert _Static_assert
+#endif
+)";
+
 // The name of the source as Clang shall print it, from whatever folder it is compiled.
 tooling::ArgumentsAdjuster absoluteSource(const std::string &source) {
   return [path = tooling::getAbsolutePath(source)](const tooling::CommandLineArguments &args, llvm::StringRef file) {
@@ -65,6 +74,7 @@ tooling::ArgumentsAdjuster ownArguments(const Options &o) {
   // Of Clang's warnings those that mean a wrong number.
   for (const char *fault : {"uninitialized", "array-bounds", "unsequenced", "return-type", "implicit-function-declaration"})
     before.push_back(std::string("-Werror=") + fault);
+  before.insert(before.end(), {"-isystem", ownHeaders});
   if (llvm::sys::fs::is_directory(TLGEN_RESOURCE_DIR)) before.push_back("-resource-dir=" TLGEN_RESOURCE_DIR);
   auto adjuster = tooling::combineAdjusters(tooling::getClangStripOutputAdjuster(), tooling::getClangStripDependencyFileAdjuster());
   adjuster = tooling::combineAdjusters(adjuster, tooling::getInsertArgumentAdjuster(before, tooling::ArgumentInsertPosition::BEGIN));
@@ -83,7 +93,10 @@ template <class Entry> std::string fileName(const Entry &entry) {
 }
 
 void collectFiles(const clang::SourceManager &sm, std::set<std::string> &files) {
-  for (auto it = sm.fileinfo_begin(); it != sm.fileinfo_end(); ++it) files.insert(fileName(it->first));
+  for (auto it = sm.fileinfo_begin(); it != sm.fileinfo_end(); ++it) {
+    std::string name = fileName(it->first);
+    if (name.find(ownHeaders) == std::string::npos) files.insert(name);
+  }
 }
 
 } // namespace
@@ -101,6 +114,7 @@ Frontend::Unit &Frontend::unit(const std::string &source, const Options &o) {
   Collector collector(u.diags);
   tool.setDiagnosticConsumer(&collector);
   tool.setPrintErrorMessage(false);
+  tool.mapVirtualFile(ownAssertName, ownAssert);
   tool.clearArgumentsAdjusters();
   tool.appendArgumentsAdjuster(tooling::getClangSyntaxOnlyAdjuster());
   tool.appendArgumentsAdjuster(absoluteSource(source));

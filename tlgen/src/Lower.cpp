@@ -203,7 +203,11 @@ const Type *Lowering::room(const c::FieldDecl *field) {
 // A member without a name stands for the struct that it is.
 std::string Lowering::nameOf(const c::FieldDecl *field) {
   std::string name = field->getNameAsString();
-  return name.empty() ? "unnamed" + std::to_string(field->getFieldIndex()) : name;
+  if (!name.empty()) return name;
+  name = "unnamed" + std::to_string(field->getFieldIndex());
+  const auto &fields = field->getParent()->fields();
+  while (std::any_of(fields.begin(), fields.end(), [&](const c::FieldDecl *f) { return f->getNameAsString() == name; })) name += "_";
+  return name;
 }
 
 const Record *Lowering::sameName(const Record &r) const {
@@ -369,6 +373,7 @@ Stmt *Lowering::stmt(const c::Stmt *s) {
     if (reach.kind == Reach::Copy) return copyOf(call, *reach.copy);
     if (reach.kind == Reach::Nothing) return node(Stmt::Block, s);
   }
+  if (llvm::isa<c::UnaryExprOrTypeTraitExpr>(e)) return node(Stmt::Block, s); // an assertion
   return evaluation(s, expr(llvm::cast<c::Expr>(s)));
 }
 

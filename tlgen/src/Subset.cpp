@@ -113,6 +113,8 @@ public:
   bool TraverseStaticAssertDecl(StaticAssertDecl *) { return true; } // Clang has seen to it
 
   bool TraverseUnaryExprOrTypeTraitExpr(UnaryExprOrTypeTraitExpr *e, DataRecursionQueue * = nullptr) {
+    if (isAssert(e) && e->getArgumentExpr()->HasSideEffects(context_))
+      report("assert-effect", e->getBeginLoc(), "'" + spelling(e) + "'");
     return VisitStmt(e);
   } // nobody evaluates it
 
@@ -234,6 +236,12 @@ public:
   }
 
 private:
+  // What Frontend makes of assert(condition).
+  bool isAssert(const UnaryExprOrTypeTraitExpr *e) const {
+    if (e->isArgumentType() || !e->getBeginLoc().isMacroID()) return false;
+    return Lexer::getImmediateMacroName(e->getBeginLoc(), context_.getSourceManager(), context_.getLangOpts()) == "assert";
+  }
+
   // The functions named in an expression are known where it is used.
   void settled(const Expr *e) {
     if (const auto *ref = dyn_cast<DeclRefExpr>(e)) settled_.insert(ref);

@@ -1,4 +1,4 @@
-/* What larger code bases have around a model: members that it never touches, unnamed structs, strings as tables, hints to compilers, the size of arrays. */
+/* What larger code bases have around a model: members that it never touches, unnamed structs, strings as tables, hints to compilers, assert, the size of arrays. */
 #include <assert.h>
 #include <math.h>
 #include <stdbool.h>
