@@ -13,7 +13,7 @@ static const double LOG_ULPS = 0.6;
 static const double GAMMA_ULPS = 5.0;
 /* Degrees above TL_MAX_CURVE are read off mixed coefficients, sums of binomials that are rounded once in each step of Horner's scheme.
  */
-static const double MIXED_ULPS = 0.5 * DEGREE;
+static const double MIXED_ULPS = 0.5 * (double)DEGREE;
 
 /* f[k], k >= 2, of log Gamma(x+h) = (-1)^k zeta(k,x)/k: zeta(k,1/2) = (2^k - 1) zeta(k), zeta(k,x) = zeta(k) - 1 - 2^-k - ..
  * - (x-1)^-k for an integer x; f[1] = psi(x) = -euler - 2 log 2, -euler + 1 + 1/2 + .. + 1/(x-1). */

@@ -41,7 +41,7 @@ static double scale_of(const point *p, int column) {
 }
 
 static double relative(double difference, double scale) {
-  if (isnan(difference)) return INFINITY;
+  if (isnan(difference)) return (double)INFINITY;
   return difference == 0.0 ? 0.0 : difference / scale;
 }
 
