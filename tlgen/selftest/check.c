@@ -23,39 +23,30 @@ typedef struct work {
   double *doubt;    /* rows x ncoef: how far the differences with two steps disagree */
 } work;
 
-static void *get(size_t count, size_t size) {
-  void *memory = calloc(count ? count : 1, size);
-  if (!memory) {
-    fprintf(stderr, "out of memory\n");
-    exit(2);
-  }
-  return memory;
-}
-
 static void start(work *w, const input *in, const eom_function *f, int order) {
   const tl_spec spec = tl_complete(2 * in->n + 1, order);
   const size_t bytes = tl_shape_bytes(spec);
   w->count = 2 * in->n + 1;
   w->rows = f->rows(in->params);
-  w->tables = get(bytes, 1);
+  w->tables = input_memory(bytes, 1);
   if (tl_shape_init(&w->shape, spec, w->tables, bytes) != 0) {
     fprintf(stderr, "%d variables are too many for order %d: say --order %d\n", w->count, order, order - 1);
     exit(2);
   }
   const size_t ncoef = (size_t)w->shape.ncoef, rows = (size_t)w->rows, count = (size_t)w->count;
   w->nreal = tl_ctx_size(&w->shape, f->frame(in->params));
-  w->memory = get(w->nreal, sizeof *w->memory);
-  w->jets = get(rows * ncoef, sizeof *w->jets);
-  w->seeds = get(count * ncoef, sizeof *w->seeds);
-  w->alpha = get(count, sizeof *w->alpha);
-  w->x = get(3 * count + 2 * rows + (MAX_ORDER + 1) * rows + count, sizeof *w->x);
+  w->memory = input_memory(w->nreal, sizeof *w->memory);
+  w->jets = input_memory(rows * ncoef, sizeof *w->jets);
+  w->seeds = input_memory(count * ncoef, sizeof *w->seeds);
+  w->alpha = input_memory(count, sizeof *w->alpha);
+  w->x = input_memory(3 * count + 2 * rows + (MAX_ORDER + 1) * rows + count, sizeof *w->x);
   w->step = w->x + count;
   w->twice = w->step + count;
   w->coarse = w->twice + count;
   w->fine = w->coarse + rows;
   w->scratch = w->fine + rows;
-  w->expected = get(rows * ncoef, sizeof *w->expected);
-  w->doubt = get(rows * ncoef, sizeof *w->doubt);
+  w->expected = input_memory(rows * ncoef, sizeof *w->expected);
+  w->doubt = input_memory(rows * ncoef, sizeof *w->doubt);
 }
 
 static void finish(work *w) {

@@ -9,7 +9,7 @@
 
 static const char *const separators = " \t\r\n,;";
 
-static void *get(size_t count, size_t size) {
+void *input_memory(size_t count, size_t size) {
   void *memory = calloc(count ? count : 1, size);
   if (!memory) {
     fprintf(stderr, "out of memory\n");
@@ -30,9 +30,9 @@ static int wrong(const input *in, const char *format, ...) {
 
 void input_add(input *in, const char *word, const char *text) {
   const size_t length = strlen(word) + strlen(text) + 2;
-  char *line = get(length, 1);
+  char *line = input_memory(length, 1);
   snprintf(line, length, "%s %s", word, text);
-  char **texts = get((size_t)in->ntexts + 1, sizeof *texts);
+  char **texts = input_memory((size_t)in->ntexts + 1, sizeof *texts);
   if (in->ntexts) memcpy(texts, in->texts, (size_t)in->ntexts * sizeof *texts);
   free(in->texts);
   in->texts = texts;
@@ -157,7 +157,7 @@ static int store_member(input *in, const tlgen_member *m, const list *l) {
   const size_t count = m->count ? m->count : (size_t)l->count;
   if (!fits(l, count) || (l->fill && !m->count)) return wrong(in, "parameter '%s' has %zu numbers, not %d", m->name, count, l->count);
   if (m->count == 0) {
-    char *numbers = get(count, m->size), *quads = get(count, m->quad_size);
+    char *numbers = input_memory(count, m->size), *quads = input_memory(count, m->quad_size);
     memcpy(to, &numbers, sizeof numbers);
     memcpy(quad, &quads, sizeof quads);
     to = numbers, quad = quads;
@@ -174,9 +174,9 @@ static int resolve_params(input *in) {
       if (starts_with(in->texts[k], "params")) return wrong(in, "the model has no parameters");
     return 1;
   }
-  in->params = get(1, p->size);
-  in->quad_params = get(1, p->quad_size);
-  char *seen = get(p->count, 1);
+  in->params = input_memory(1, p->size);
+  in->quad_params = input_memory(1, p->quad_size);
+  char *seen = input_memory(p->count, 1);
   int good = 1;
   for (int k = 0; good && k < in->ntexts; k++) {
     char *rest = in->texts[k] + strlen("params");
@@ -230,10 +230,10 @@ int input_resolve(input *in) {
   if (!resolve_params(in)) return 0;
   in->n = m->dof(in->params);
   if (in->n < 1) return wrong(in, "these parameters make %d coordinates", in->n);
-  in->points = get((size_t)in->ntexts, sizeof *in->points);
+  in->points = input_memory((size_t)in->ntexts, sizeof *in->points);
   for (int k = 0; k < in->ntexts; k++) {
     if (starts_with(in->texts[k], "params")) continue;
-    in->points[in->npoints] = get(2 * (size_t)in->n + 1, sizeof(double));
+    in->points[in->npoints] = input_memory(2 * (size_t)in->n + 1, sizeof(double));
     if (!resolve_point(in, in->texts[k], in->points[in->npoints++])) return 0;
   }
   return 1;

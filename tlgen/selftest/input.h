@@ -27,6 +27,9 @@ int input_resolve(input *in);
 /* An example of the options that this model wants, on stderr. */
 void input_example(const tlgen_selftest *test);
 
+/* count zeros of that size; ends the program where there is no memory. */
+void *input_memory(size_t count, size_t size);
+
 void input_free(input *in);
 
 #endif

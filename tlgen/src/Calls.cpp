@@ -106,9 +106,8 @@ std::optional<BulkCopy> bulkCopy(const c::CallExpr *call, const std::string &nam
   BulkCopy copy;
   copy.overlap = name == "memmove";
   copy.to = withoutVoid(call->getArg(0));
-  if (!copy.to->getType()->isPointerType() && !copy.to->getType()->isArrayType()) return {};
-  c::QualType pointee = copy.to->getType()->getPointeeType();
-  copy.element = numbersOf(pointee);
+  if (!copy.to->getType()->isPointerType()) return {};
+  copy.element = numbersOf(copy.to->getType()->getPointeeType());
   if (name == "memset") {
     c::Expr::EvalResult value;
     if (!call->getArg(1)->EvaluateAsInt(value, context) || value.Val.getInt() != 0) return {};
@@ -260,17 +259,13 @@ Calls::Settled Calls::settle(const c::Expr *e) const {
 // The one function that an expression is; null where there is none.
 const c::FunctionDecl *Calls::function(const c::Expr *e) const {
   const auto *ref = llvm::dyn_cast<c::DeclRefExpr>(bare(e));
-  if (!ref) {
-    Settled s = settle(e);
-    return s.values.size() == 1 && !s.choice && bare(s.values[0]) != bare(e) ? function(s.values[0]) : nullptr;
-  }
-  if (const auto *f = llvm::dyn_cast<c::FunctionDecl>(ref->getDecl())) return f;
-  if (const auto *param = llvm::dyn_cast<c::ParmVarDecl>(ref->getDecl())) {
+  if (const auto *f = ref ? llvm::dyn_cast<c::FunctionDecl>(ref->getDecl()) : nullptr) return f;
+  if (const auto *param = ref ? llvm::dyn_cast<c::ParmVarDecl>(ref->getDecl()) : nullptr) {
     bool own = !changed_.count(param) && param->getDeclContext() == caller_.function;
     return own && !caller_.bound.empty() ? caller_.bound[param->getFunctionScopeIndex()] : nullptr;
   }
   Settled s = settle(e);
-  return s.values.size() == 1 && !s.choice && bare(s.values[0]) != ref ? function(s.values[0]) : nullptr;
+  return s.values.size() == 1 && !s.choice && bare(s.values[0]) != bare(e) ? function(s.values[0]) : nullptr;
 }
 
 Reach Calls::reachFunction(const c::FunctionDecl *callee, const c::CallExpr *call) const {

@@ -22,6 +22,9 @@ struct Instance {
   bool operator<(const Instance &o) const { return std::tie(function, bound) < std::tie(o.function, o.bound); }
 };
 
+// A function by itself: one that is bound to no others.
+inline Instance plainInstance(const clang::FunctionDecl *f) { return {f, std::vector<const clang::FunctionDecl *>(f->getNumParams())}; }
+
 // Of the function and those it is bound to; the same name for different functions of several files.
 std::string instanceName(const Instance &instance);
 

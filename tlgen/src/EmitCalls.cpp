@@ -13,7 +13,7 @@ namespace {
 class ModelEmitter {
 public:
   ModelEmitter(const Program &program, const Model &model, const Activity &activity, Diagnostics &diags)
-      : program_(program), model_(model), activity_(activity), diags_(diags) {}
+      : program_(program), model_(model), activity_(activity), diags_(diags), needed_(needed()) {}
 
   EmittedModel run(const std::string &headerName) {
     nameVariants();
@@ -78,7 +78,7 @@ private:
   std::string userHeaders() const {
     std::vector<std::string> names;
     for (const Record *r : program_.records)
-      if (needed().count(r) && !inHeader(r)) {
+      if (needed_.count(r) && !inHeader(r)) {
         const std::string &name = program_.files[static_cast<size_t>(r->loc.file)];
         if (std::find(names.begin(), names.end(), name) == names.end()) names.push_back(name);
       }
@@ -97,7 +97,7 @@ private:
   // All structs for the functions; for others the header's own, behind the headers of the rest.
   std::string headerRecords() const {
     std::set<const Record *> own, foreign;
-    for (const Record *r : needed()) (inHeader(r) ? own : foreign).insert(r);
+    for (const Record *r : needed_) (inHeader(r) ? own : foreign).insert(r);
     std::string before;
     if (!foreign.empty())
       before = "#ifdef " + ownMark() + "\n" + definitions(foreign, false) + "#else\n" + userHeaders() + "#endif\n\n";
@@ -106,7 +106,7 @@ private:
 
   std::string sourceRecords() const {
     std::set<const Record *> rest(program_.records.begin(), program_.records.end());
-    for (const Record *r : needed()) rest.erase(r);
+    for (const Record *r : needed_) rest.erase(r);
     return definitions(rest, false);
   }
 
@@ -275,6 +275,7 @@ private:
   const Model &model_;
   const Activity &activity_;
   Diagnostics &diags_;
+  const std::set<const Record *> needed_;
   Emitted emitted_;
 };
 

@@ -628,11 +628,11 @@ void lower(const Source &source, const Match &match, const std::vector<Instance>
   model.name = modelName;
   model.dof = match.dof;
   if (match.params) model.params = lowering.record(match.params);
-  auto bound = [&](const c::FunctionDecl *f) { return Instance{f, std::vector<const c::FunctionDecl *>(f->getNumParams())}; };
   for (const auto &r : match.recursion)
     for (const Instance &f : functions)
       if (f.function == r.first) model.recursion[lowering.functionOf(f)] = r.second;
-  for (const Matched &m : match.functions) model.functions.push_back({m.role, lowering.functionOf(bound(m.function)), m.args, m.rows});
+  for (const Matched &m : match.functions)
+    model.functions.push_back({m.role, lowering.functionOf(plainInstance(m.function)), m.args, m.rows});
 }
 
 } // namespace tlgen

@@ -506,8 +506,7 @@ const char *refusedMember(const FieldDecl *field) {
 
 std::vector<Instance> checkSubset(const Source &source, const Match &match) {
   Subset subset(source, match);
-  for (const Matched &m : match.functions)
-    subset.visit(Instance{m.function, std::vector<const FunctionDecl *>(m.function->getNumParams())});
+  for (const Matched &m : match.functions) subset.visit(plainInstance(m.function));
   return subset.order;
 }
 
