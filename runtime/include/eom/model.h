@@ -1,7 +1,9 @@
-/* What a model is to the runtime: sizes, names and jet functions. tlgen prints one constant eom_model per model. */
+/* What a model is to the runtime: sizes, names, jet functions, and motion functions where tlgen printed some. tlgen prints one constant
+ * eom_model per model. */
 #ifndef EOM_MODEL_H
 #define EOM_MODEL_H
 
+#include "eom/motion.h"
 #include "taylor/context.h"
 
 /* A source function carried over to jets, in any shape of cx.
@@ -32,6 +34,8 @@ typedef struct eom_model {
   int nholonomic;                   /* functions, not rows */
   const eom_function *nonholonomic; /* psi(q,qd,t) = 0 */
   int nnonholonomic;
+  const eom_motion *const *motion; /* functions for its motion at certain sizes; the jets serve all other sizes and needs */
+  int nmotion;
 } eom_model;
 
 #endif
