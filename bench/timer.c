@@ -274,13 +274,15 @@ int main(int argc, char **argv) {
   int n = argc > first + 3 ? atoi(argv[first + 1]) : 0;
   if (n < 1 || set.repeats < 1 || !(set.slice > 0))
     fail("usage: bench_timer [OPTION..] MODEL N REFERENCE OBJECT.., not", argv[argc - 1]);
-  double *block = read_block(argv[first + 2], n);
+  static double *block;
+  static runner *all; /* contenders and what they were given live until the process ends */
+  block = read_block(argv[first + 2], n);
   bench_case problem = {argv[first], n, block[0], block + 1, block + 1 + n};
   int objects = argc - first - 3, count = 0;
-  runner *all = calloc((size_t)objects, sizeof *all);
+  all = calloc((size_t)objects, sizeof *all);
   if (all == NULL) fail("no memory for", "runners");
   for (int i = 0; i < objects; i++) count += load(&all[count], i, argv[first + 3 + i], &problem, block);
   for (int i = 0; i < count; i++) all[i].times = numbers((size_t)set.repeats);
   for (const char *need = set.needs; *need != '\0'; need++) run_need(all, count, *need, block, &set);
-  return 0; /* contenders live until the process ends */
+  return 0;
 }
