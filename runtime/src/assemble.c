@@ -1,18 +1,13 @@
-/* Assembly of M, Q, A, b and the energy from jets of the model's functions. */
+/* Assembly of M, Q, A, b and the energy: by motion functions, or from jets of the model's functions. */
 #include "eom/assemble.h"
 
+#include "evaluate.h"
 #include "stage.h"
 
 #include <assert.h>
 #include <string.h>
 
-static eom_status start(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
-  assert(sys && sys->workspace && q && qd);
-  sys->report = (eom_report){.status = EOM_OK, .index = -1, .rank = -1};
-  if (eom_check_finite(sys, "argument q", q, sys->n) != EOM_OK) return sys->report.status;
-  if (eom_check_finite(sys, "argument qd", qd, sys->n) != EOM_OK) return sys->report.status;
-  return eom_check_finite(sys, "argument t", &t, 1);
-}
+/* ---- energy ---- */
 
 /* p_i = [t_ui] L, E = p.qd - L from a jet of L with tangents on qd. */
 static void read_energy(eom_system *sys, const tl_real *jet, const tl_shape *shape, const tl_real *qd) {
@@ -23,14 +18,29 @@ static void read_energy(eom_system *sys, const tl_real *jet, const tl_shape *sha
   sys->energy = e;
 }
 
-eom_status eom_energy(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
-  if (start(sys, q, qd, t) != EOM_OK) return sys->report.status;
+static eom_status energy_by_calls(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
   eom_workspace *ws = sys->workspace;
   eom_stage_seed(sys, STAGE_ENERGY, q, qd, NULL, t);
   if (eom_stage_run(sys, &sys->model->lagrangian) != EOM_OK) return sys->report.status;
-  read_energy(sys, ws->jet_out, &ws->stage[STAGE_ENERGY].shape, qd);
+  read_energy(sys, ws->jet_out, ws->stage[STAGE_ENERGY].shape, qd);
   return eom_check_finite(sys, "energy", &sys->energy, 1);
 }
+
+static eom_status energy_by_motion(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  const int code =
+      sys->motion->energy(sys->params, q, qd, t, sys->momentum, &sys->lagrangian, &sys->energy, sys->workspace->motion_work);
+  return eom_motion_verdict(sys, code, q, qd, t);
+}
+
+static eom_status energy(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  return (eom_by_motion(sys, EOM_TASK_ENERGY) ? energy_by_motion : energy_by_calls)(sys, q, qd, t);
+}
+
+eom_status eom_energy(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  return eom_start(sys, q, qd, t) == EOM_OK ? energy(sys, q, qd, t) : sys->report.status;
+}
+
+/* ---- parts of the equations from jets ---- */
 
 /* M_ij = d2L/du_i du_j: the packed upper triangle of order 2, where coefficient = derivative off the diagonal and half of it on it. */
 static void read_mass(eom_system *sys, const tl_real *jet, const tl_shape *shape) {
@@ -46,26 +56,26 @@ static eom_status assemble_mass(eom_system *sys, const tl_real *q, const tl_real
   eom_workspace *ws = sys->workspace;
   eom_stage_seed(sys, STAGE_MASS, q, qd, NULL, t);
   if (eom_stage_run(sys, &sys->model->lagrangian) != EOM_OK) return sys->report.status;
-  read_mass(sys, ws->jet_out, &ws->stage[STAGE_MASS].shape);
-  read_energy(sys, ws->jet_out, &ws->stage[STAGE_MASS].shape, qd);
+  read_mass(sys, ws->jet_out, ws->stage[STAGE_MASS].shape);
+  read_energy(sys, ws->jet_out, ws->stage[STAGE_MASS].shape, qd);
   if (eom_check_finite(sys, "energy", &sys->energy, 1) != EOM_OK) return sys->report.status;
   return eom_check_finite(sys, "mass matrix", sys->M, sys->n * sys->n);
 }
 
-/* Q_i = Gamma_i + [t_xi] L - [s t_ui] L along q + s qd, qd constant, t + s. */
-static eom_status assemble_force(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+/* Q - M qdd = Gamma + [t_x] L - [s t_u] L along q + s qd + s^2/2 qdd, qd + s qdd, t + s. sum: n; qdd null: zero. */
+static eom_status unbalanced_force(eom_system *sys, tl_real *sum, const tl_real *q, const tl_real *qd, const tl_real *qdd, tl_real t) {
   eom_workspace *ws = sys->workspace;
   const int n = sys->n;
-  eom_stage_seed(sys, STAGE_FORCE, q, qd, NULL, t);
+  eom_stage_seed(sys, STAGE_FORCE, q, qd, qdd, t);
   if (eom_stage_run(sys, &sys->model->lagrangian) != EOM_OK) return sys->report.status;
-  const tl_real *row = ws->jet_out + ws->stage[STAGE_FORCE].shape.start[1], *row_s = row + 2 * n;
-  for (int i = 0; i < n; i++) sys->Q[i] = row[i] - row_s[n + i];
+  const tl_real *row = ws->jet_out + ws->stage[STAGE_FORCE].shape->start[1], *row_s = row + 2 * n;
+  for (int i = 0; i < n; i++) sum[i] = row[i] - row_s[n + i];
   if (sys->model->force.jet) {
     eom_stage_seed(sys, STAGE_GAMMA, q, qd, NULL, t);
     if (eom_stage_run(sys, &sys->model->force) != EOM_OK) return sys->report.status;
-    for (int i = 0; i < n; i++) sys->Q[i] += ws->jet_out[i];
+    for (int i = 0; i < n; i++) sum[i] += ws->jet_out[i];
   }
-  return eom_check_finite(sys, "generalized force", sys->Q, n);
+  return eom_check_finite(sys, "generalized force", sum, n);
 }
 
 /* Row r of A is [t_x] phi_r; phi'' = A qdd - b is 2[s2] phi_r, so b_r = -2[s2] phi_r at qdd = 0. The terms that cancel in b are of the
@@ -84,7 +94,7 @@ static void read_holonomic(eom_system *sys, const tl_real *jet, const tl_shape *
 
 static eom_status assemble_holonomic(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
   eom_workspace *ws = sys->workspace;
-  const tl_shape *shape = &ws->stage[STAGE_HOLONOMIC].shape;
+  const tl_shape *shape = ws->stage[STAGE_HOLONOMIC].shape;
   eom_stage_seed(sys, STAGE_HOLONOMIC, q, qd, NULL, t);
   for (int f = 0, r = 0; f < sys->model->nholonomic; f++) {
     const eom_function *phi = &sys->model->holonomic[f];
@@ -106,7 +116,7 @@ static void read_nonholonomic(eom_system *sys, const tl_real *jet, const tl_shap
 
 static eom_status assemble_nonholonomic(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
   eom_workspace *ws = sys->workspace;
-  const tl_shape *shape = &ws->stage[STAGE_NONHOLONOMIC].shape;
+  const tl_shape *shape = ws->stage[STAGE_NONHOLONOMIC].shape;
   eom_stage_seed(sys, STAGE_NONHOLONOMIC, q, qd, NULL, t);
   for (int f = 0, r = 0; f < sys->model->nnonholonomic; f++) {
     const eom_function *psi = &sys->model->nonholonomic[f];
@@ -117,13 +127,52 @@ static eom_status assemble_nonholonomic(eom_system *sys, const tl_real *q, const
   return eom_check_finite(sys, "psi", sys->psi, sys->m2);
 }
 
-eom_status eom_assemble(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
-  if (start(sys, q, qd, t) != EOM_OK) return sys->report.status;
+static eom_status assemble_by_calls(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
   if (assemble_mass(sys, q, qd, t) != EOM_OK) return sys->report.status;
-  if (assemble_force(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  if (unbalanced_force(sys, sys->Q, q, qd, NULL, t) != EOM_OK) return sys->report.status;
   if (sys->m1 > 0 && assemble_holonomic(sys, q, qd, t) != EOM_OK) return sys->report.status;
   if (sys->m2 > 0 && assemble_nonholonomic(sys, q, qd, t) != EOM_OK) return sys->report.status;
   if (eom_check_finite(sys, "constraint matrix", sys->A, sys->m * sys->n) != EOM_OK) return sys->report.status;
   if (eom_check_finite(sys, "constraint vector b", sys->b, sys->m) != EOM_OK) return sys->report.status;
   return EOM_OK;
+}
+
+/* ---- by either emitter ---- */
+
+static eom_status assemble_by_motion(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  const eom_workspace *ws = sys->workspace;
+  const eom_parts out = {sys->M, sys->Q, sys->phi, sys->phi_dot, sys->psi, sys->A, sys->b};
+  const int code = sys->motion->simulate(sys->params, q, qd, t, &out, ws->motion_work);
+  for (int r = 0; r < sys->m; r++) ws->b_size[r] = TL_C(0.0); /* at least |b|, says eom_solve */
+  return eom_motion_verdict(sys, code, q, qd, t);
+}
+
+eom_status eom_assemble_parts(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  return eom_by_motion(sys, EOM_TASK_ASSEMBLE) ? assemble_by_motion(sys, q, qd, t) : assemble_by_calls(sys, q, qd, t);
+}
+
+eom_status eom_size_rows(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  return sys->m1 > 0 ? assemble_holonomic(sys, q, qd, t) : EOM_OK;
+}
+
+eom_status eom_assemble(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  if (eom_start(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  if (eom_assemble_parts(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  if (!eom_by_motion(sys, EOM_TASK_ASSEMBLE)) return EOM_OK; /* calls leave energy and sizes on the way */
+  return energy(sys, q, qd, t) == EOM_OK ? eom_size_rows(sys, q, qd, t) : sys->report.status;
+}
+
+/* ---- inverse dynamics ---- */
+
+eom_status eom_residual(eom_system *sys, tl_real *r, const tl_real *qdd, const tl_real *q, const tl_real *qd, tl_real t) {
+  assert(r && qdd && sys->options.needs & EOM_NEED_RESIDUAL);
+  if (eom_start(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  if (eom_check_finite(sys, "argument qdd", qdd, sys->n) != EOM_OK) return sys->report.status;
+  if (eom_by_motion(sys, EOM_TASK_RESIDUAL)) {
+    const int code = sys->motion->residual(sys->params, q, qd, t, qdd, r, sys->workspace->motion_work);
+    return eom_motion_verdict(sys, code, q, qd, t);
+  }
+  const eom_status status = unbalanced_force(sys, r, q, qd, qdd, t);
+  for (int i = 0; i < sys->n; i++) r[i] = -r[i];
+  return status;
 }

@@ -1,4 +1,4 @@
-/* Exact linearisation of constrained motion.
+/* Exact linearisation of constrained motion, by motion functions or from jets.
  *
  * With r(q,qd,qdd,t) = d/dt dL/dqd - dL/dq - Gamma = M qdd - Q the motion satisfies r = A' lambda and phi'' = 0, psi' = 0, so
  *   M dqdd - A' dlambda = -dr/dy dy + d(A' lambda)/dy dy,   A dqdd = -d(phi'', psi')/dy dy,
@@ -10,7 +10,7 @@
  * where brackets mean derivatives in the tangents and coefficients in s. */
 #include "eom/linearise.h"
 
-#include "eom/solve.h"
+#include "evaluate.h"
 #include "factor.h"
 #include "stage.h"
 
@@ -64,7 +64,7 @@ static void read_nonholonomic(eom_system *sys, const tl_shape *shape, const tl_r
 
 static eom_status linearise_motion(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
   const eom_workspace *ws = sys->workspace;
-  const tl_shape *shape = &ws->stage[STAGE_LINEARISE].shape;
+  const tl_shape *shape = ws->stage[STAGE_LINEARISE].shape;
   eom_stage_seed(sys, STAGE_LINEARISE, q, qd, sys->qdd, t);
   if (eom_stage_run(sys, &sys->model->lagrangian) != EOM_OK) return sys->report.status;
   read_lagrangian(sys, shape);
@@ -80,7 +80,7 @@ static eom_status linearise_motion(eom_system *sys, const tl_real *q, const tl_r
 /* rhs1 += dGamma/dy. */
 static eom_status linearise_force(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
   const eom_workspace *ws = sys->workspace;
-  const tl_shape *shape = &ws->stage[STAGE_GAMMA_LINEARISE].shape;
+  const tl_shape *shape = ws->stage[STAGE_GAMMA_LINEARISE].shape;
   const int n = sys->n;
   eom_stage_seed(sys, STAGE_GAMMA_LINEARISE, q, qd, NULL, t);
   if (eom_stage_run(sys, &sys->model->force) != EOM_OK) return sys->report.status;
@@ -94,7 +94,7 @@ static eom_status linearise_force(eom_system *sys, const tl_real *q, const tl_re
 /* rhs2 = -dphi''/dy. */
 static eom_status linearise_holonomic(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
   const eom_workspace *ws = sys->workspace;
-  const tl_shape *shape = &ws->stage[STAGE_HOLONOMIC].shape;
+  const tl_shape *shape = ws->stage[STAGE_HOLONOMIC].shape;
   const int n = sys->n, m = sys->m;
   eom_stage_seed(sys, STAGE_HOLONOMIC, q, qd, sys->qdd, t);
   for (int f = 0, r = 0; f < sys->model->nholonomic; f++) {
@@ -115,7 +115,7 @@ static eom_status linearise_holonomic(eom_system *sys, const tl_real *q, const t
 /* rhs1 += d(A'lambda)/dq. */
 static eom_status linearise_constraint_force(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
   const eom_workspace *ws = sys->workspace;
-  const tl_shape *shape = &ws->stage[STAGE_CURVATURE].shape;
+  const tl_shape *shape = ws->stage[STAGE_CURVATURE].shape;
   const int n = sys->n;
   eom_stage_seed(sys, STAGE_CURVATURE, q, qd, NULL, t);
   for (int f = 0, r = 0; f < sys->model->nholonomic; f++) {
@@ -132,27 +132,53 @@ static eom_status linearise_constraint_force(eom_system *sys, const tl_real *q, 
 }
 
 /* Solves for all 2n columns and turns vectors into rows of the results. */
-static eom_status solve_columns(eom_system *sys) {
+static void solve_vectors(eom_system *sys) {
   eom_workspace *ws = sys->workspace;
   const int n = sys->n, m = sys->m;
+  tl_real *dq = ws->sol1, *dl = ws->sol2;
   for (int j = 0; j < 2 * n; j++) {
-    tl_real *dq = ws->sol1 + j * n, *dl = ws->sol2 ? ws->sol2 + j * m : NULL;
     eom_kkt_solve(sys, dq, dl, ws->rhs1 + j * n, ws->rhs2 ? ws->rhs2 + j * m : NULL);
     for (int i = 0; i < n; i++) sys->qdd_y[i * 2 * n + j] = dq[i];
     for (int r = 0; r < m; r++) sys->lambda_y[r * 2 * n + j] = dl[r];
   }
-  if (eom_check_finite(sys, "derivative of the accelerations", sys->qdd_y, 2 * n * n) != EOM_OK) return sys->report.status;
-  return eom_check_finite(sys, "derivative of the multipliers", sys->lambda_y, 2 * n * m);
 }
 
-eom_status eom_linearise(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
-  assert(sys && (sys->options.needs & EOM_NEED_LINEARISE));
-  if (eom_acceleration(sys, q, qd, t) != EOM_OK) return sys->report.status;
+static eom_status linearise_by_calls(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
   if (linearise_motion(sys, q, qd, t) != EOM_OK) return sys->report.status;
   if (sys->model->force.jet && linearise_force(sys, q, qd, t) != EOM_OK) return sys->report.status;
   if (sys->m1 > 0 && linearise_holonomic(sys, q, qd, t) != EOM_OK) return sys->report.status;
   if (sys->m1 > 0 && linearise_constraint_force(sys, q, qd, t) != EOM_OK) return sys->report.status;
-  return solve_columns(sys);
+  solve_vectors(sys);
+  return EOM_OK;
+}
+
+/* ---- by either emitter ---- */
+
+static eom_status linearise_by_motion(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  const int code =
+      sys->motion->linearise(sys->params, q, qd, t, sys->qdd, sys->lambda, sys->qdd_y, sys->lambda_y, sys->workspace->motion_work);
+  if (code != 0) return eom_motion_verdict(sys, code, q, qd, t);
+  eom_solve_columns(sys, 2 * sys->n, sys->qdd_y, sys->lambda_y);
+  return EOM_OK;
+}
+
+/* EOM_MOTION_PIVOT also where there is no solved form. */
+static int solved_form(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  if (!eom_by_motion(sys, EOM_TASK_LINEARISE) || !sys->motion->jacobian) return EOM_MOTION_PIVOT;
+  return sys->motion->jacobian(sys->params, q, qd, t, sys->qdd, sys->qdd_y, sys->workspace->motion_work);
+}
+
+eom_status eom_linearise(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  assert(sys && (sys->options.needs & EOM_NEED_LINEARISE));
+  if (eom_start(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  const int code = solved_form(sys, q, qd, t);
+  if (code != EOM_MOTION_PIVOT) return eom_solved_by_motion(sys, code, q, qd, t);
+  if (eom_solve_at(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  const bool by_motion = eom_by_motion(sys, EOM_TASK_LINEARISE);
+  if ((by_motion ? linearise_by_motion : linearise_by_calls)(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  const int n = sys->n;
+  if (eom_check_finite(sys, "derivative of the accelerations", sys->qdd_y, 2 * n * n) != EOM_OK) return sys->report.status;
+  return eom_check_finite(sys, "derivative of the multipliers", sys->lambda_y, 2 * n * sys->m);
 }
 
 void eom_state_matrix(const eom_system *sys, tl_real *F) {

@@ -194,8 +194,9 @@ eom_status eom_lyapunov_step(eom_lyapunov *ly) {
   if (status != EOM_OK) return status;
 
   const bool due = !discrete || it->steps % ly->options.every == 0;
-  if (discrete && due) status = finish_discrete(ly);
-  if (ly->options.scheme == EOM_LYAPUNOV_CONTINUOUS) status = finish_continuous(ly);
+  status = eom_energy(ly->sys, it->y, it->y + ly->sys->n, it->t);
+  if (status == EOM_OK && discrete && due) status = finish_discrete(ly);
+  if (status == EOM_OK && ly->options.scheme == EOM_LYAPUNOV_CONTINUOUS) status = finish_continuous(ly);
   if (status != EOM_OK) {
     memcpy(it->y, ly->work->before, (size_t)it->dim * sizeof(tl_real));
     eom_integrator_restart(it);
@@ -204,7 +205,7 @@ eom_status eom_lyapunov_step(eom_lyapunov *ly) {
     return status;
   }
   ly->t = it->t;
-  ly->energy = ly->sys->energy; /* the last stage of the step was at its end */
+  ly->energy = ly->sys->energy;
   if (!due) return EOM_OK;
   ly->t_rho = it->t;
   ly->divergence = it->y[it->dim - 1];

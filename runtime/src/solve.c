@@ -1,7 +1,7 @@
 /* Accelerations, multipliers and constraint forces; the verdict on each constraint row. */
 #include "eom/solve.h"
 
-#include "eom/assemble.h"
+#include "evaluate.h"
 #include "factor.h"
 #include "stage.h"
 
@@ -55,9 +55,39 @@ eom_status eom_solve(eom_system *sys) {
   return m > 0 ? judge_rows(sys) : EOM_OK;
 }
 
+/* By motion functions the size of cancelling terms in b is at first taken as zero: the strictest judgement, which consistent rows pass
+ * in nearly all cases. */
+eom_status eom_solve_at(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  if (eom_assemble_parts(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  if (eom_solve(sys) != EOM_INCONSISTENT || !eom_by_motion(sys, EOM_TASK_ASSEMBLE)) return sys->report.status;
+  return eom_size_rows(sys, q, qd, t) == EOM_OK ? eom_solve(sys) : sys->report.status;
+}
+
+eom_status eom_solved_by_motion(eom_system *sys, int code, const tl_real *q, const tl_real *qd, tl_real t) {
+  if (code != 0) return eom_motion_verdict(sys, code, q, qd, t);
+  sys->report.rank = 0;
+  sys->report.pivot = TL_C(-1.0);
+  sys->report.condition = TL_C(1.0);
+  return EOM_OK;
+}
+
 eom_status eom_acceleration(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
-  const eom_status status = eom_assemble(sys, q, qd, t);
-  return status == EOM_OK ? eom_solve(sys) : status;
+  if (eom_start(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  if (!eom_by_motion(sys, EOM_TASK_ASSEMBLE) || !sys->motion->acceleration) return eom_solve_at(sys, q, qd, t);
+  const int code = sys->motion->acceleration(sys->params, q, qd, t, sys->qdd, sys->workspace->motion_work);
+  return code == EOM_MOTION_PIVOT ? eom_solve_at(sys, q, qd, t) : eom_solved_by_motion(sys, code, q, qd, t);
+}
+
+void eom_solve_columns(eom_system *sys, int k, tl_real *r, tl_real *g) {
+  eom_workspace *ws = sys->workspace;
+  const int n = sys->n, m = sys->m;
+  for (int j = 0; j < k; j++) {
+    for (int i = 0; i < n; i++) ws->rhs1[i] = -r[i * k + j];
+    for (int i = 0; i < m; i++) ws->rhs2[i] = -g[i * k + j];
+    eom_kkt_solve(sys, ws->sol1, ws->sol2, ws->rhs1, ws->rhs2);
+    for (int i = 0; i < n; i++) r[i * k + j] = ws->sol1[i];
+    for (int i = 0; i < m; i++) g[i * k + j] = ws->sol2[i];
+  }
 }
 
 int eom_rhs(void *user, tl_real t, const tl_real *y, tl_real *ydot) {

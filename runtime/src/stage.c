@@ -16,9 +16,9 @@ static void seed_coordinate(tl_ctx *cx, tl_real *jet, tl_real x0, tl_real x1, tl
 void eom_stage_seed(eom_system *sys, eom_stage_id id, const tl_real *q, const tl_real *qd, const tl_real *qdd, tl_real t) {
   eom_workspace *ws = sys->workspace;
   const eom_stage *stage = &ws->stage[id];
-  const size_t n = (size_t)sys->n, ncoef = (size_t)stage->shape.ncoef;
+  const size_t n = (size_t)sys->n, ncoef = (size_t)stage->shape->ncoef;
   tl_ctx *cx = &ws->cx;
-  tl_ctx_init(cx, &stage->shape, ws->context, stage->context);
+  tl_ctx_init(cx, stage->shape, ws->context, stage->context);
   ws->jet_q = ws->jets;
   ws->jet_qd = ws->jet_q + n * ncoef;
   ws->jet_t = ws->jet_qd + n * ncoef;

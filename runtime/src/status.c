@@ -2,6 +2,7 @@
 #include "eom/status.h"
 
 #include <stdarg.h>
+#include <stdbool.h>
 #include <stdio.h>
 
 const char *eom_status_text(eom_status status) {
@@ -35,7 +36,8 @@ static void put_function(writer *w, const eom_report *r) {
   if (r->index >= 0) put(w, ", number %d (counted from 0)", r->index);
   put(w, "\n");
   if (r->jet.bits == TL_OK) return;
-  put(w, "  %s in %s", tl_status_text(r->jet.bits), tl_fn_name(r->jet.function));
+  const bool either = (r->jet.bits & TL_DOMAIN) && (r->jet.bits & TL_SINGULAR);
+  put(w, "  %s in %s", either ? "no value or no derivative" : tl_status_text(r->jet.bits), tl_fn_name(r->jet.function));
   if (r->jet.bits & TL_NO_SPACE) put(w, " (does a helper call itself deeper than was said to tlgen?)");
   if (r->jet.line > 0) put(w, ", line %d of %s", r->jet.line, r->jet.file ? r->jet.file : "the model");
   put(w, "\n");
@@ -51,8 +53,9 @@ static void put_row(writer *w, const eom_row *row) {
 static void put_solve(writer *w, const eom_report *r) {
   if (r->status == EOM_NO_INERTIA) put(w, "  coordinate %d (counted from 0) can move without inertia\n", r->index);
   if (r->rank < 0) return;
-  put(w, "  constraint rank %d, condition %.2g, largest |A qdd - b| %.2g, smallest pivot of %s %.2g\n", r->rank, (double)r->condition,
-      (double)r->residual, r->weighted ? "M + A'WA" : "M", (double)r->pivot);
+  put(w, "  constraint rank %d, condition %.2g, largest |A qdd - b| %.2g", r->rank, (double)r->condition, (double)r->residual);
+  if (r->pivot >= TL_C(0.0)) put(w, ", smallest pivot of %s %.2g", r->weighted ? "M + A'WA" : "M", (double)r->pivot);
+  put(w, "\n");
   const int shown = r->nrow < EOM_REPORT_ROWS ? r->nrow : EOM_REPORT_ROWS;
   for (int i = 0; i < shown; i++) put_row(w, &r->row[i]);
   if (r->nrow > shown) put(w, "  and %d more rows\n", r->nrow - shown);

@@ -1,4 +1,5 @@
 /* Systems: validation of the model, sizes, and one visible layout of all memory. */
+#include "evaluate.h"
 #include "stage.h"
 
 #include <assert.h>
@@ -11,7 +12,8 @@ eom_options eom_options_default(void) {
                        .weights = NULL,
                        .rank_tolerance = TL_EPSILON * TL_C(450360.0), /* 1e-10 in double */
                        .consistency_tolerance = TL_LIBM(sqrt)(TL_EPSILON),
-                       .linalg = EOM_LINALG_AUTO};
+                       .linalg = EOM_LINALG_AUTO,
+                       .emitter = EOM_EMITTER_AUTO};
 }
 
 /* ---- memory ---- */
@@ -78,12 +80,14 @@ static void take_private(eom_system *sys, eom_workspace *ws, eom_arena *a) {
   ws->r2 = eom_arena_reals(a, m);
   ws->dq = eom_arena_reals(a, n);
   ws->dl = eom_arena_reals(a, m);
-  if (sys->options.needs & EOM_NEED_LINEARISE) {
-    ws->rhs1 = eom_arena_reals(a, 2 * n * n);
-    ws->rhs2 = eom_arena_reals(a, 2 * n * m);
-    ws->sol1 = eom_arena_reals(a, 2 * n * n);
-    ws->sol2 = eom_arena_reals(a, 2 * n * m);
+  if (sys->options.needs & (EOM_NEED_LINEARISE | EOM_NEED_TANGENT | EOM_NEED_PARAMETERS)) {
+    const size_t vectors = ws->emitter[EOM_TASK_LINEARISE] == EOM_EMITTER_CALLS ? 2 * n : 1;
+    ws->rhs1 = eom_arena_reals(a, vectors * n);
+    ws->rhs2 = eom_arena_reals(a, vectors * m);
+    ws->sol1 = eom_arena_reals(a, n);
+    ws->sol2 = eom_arena_reals(a, m);
   }
+  ws->motion_work = eom_arena_reals(a, sys->motion ? sys->motion->work : 0);
   ws->jets = eom_arena_reals(a, ws->njets);
   ws->context = eom_arena_reals(a, ws->ncontext);
 }
@@ -116,6 +120,7 @@ static bool plan_sizes(eom_system *sys, const eom_model *model, const void *para
   if (force->jet && (!function_is_complete(force) || force->rows(params) != sys->n)) return false;
   sys->m1 = count_rows(model->holonomic, model->nholonomic, params);
   sys->m2 = count_rows(model->nonholonomic, model->nnonholonomic, params);
+  if (model->nmotion < 0 || (model->nmotion > 0 && !model->motion)) return false;
   if (sys->m1 < 0 || sys->m2 < 0 || sys->m1 > INT32_MAX - sys->m2) return false;
   sys->m = sys->m1 + sys->m2;
   return true;
@@ -124,7 +129,7 @@ static bool plan_sizes(eom_system *sys, const eom_model *model, const void *para
 static bool plan_options(eom_system *sys, const eom_options *given) {
   sys->options = given ? *given : eom_options_default();
   const eom_options *o = &sys->options;
-  if (o->needs & ~(unsigned)EOM_NEED_LINEARISE) return false;
+  if (o->needs & ~(unsigned)EOM_NEED_ALL) return false;
   if (!(o->rank_tolerance >= TL_C(0.0) && o->rank_tolerance < TL_C(1.0))) return false;
   if (!(o->consistency_tolerance >= TL_C(0.0) && o->consistency_tolerance < TL_C(1.0))) return false;
   if (o->weights)
@@ -169,42 +174,53 @@ static void admit_all(eom_stage *stage, const eom_function *list, int count, con
   for (int i = 0; i < count; i++) admit(&stage[0], &list[i], params);
 }
 
-static void plan_stages(const eom_system *sys, eom_workspace *ws) {
-  const eom_model *model = sys->model;
-  const int n = sys->n;
-  const bool linearise = sys->options.needs & EOM_NEED_LINEARISE, force = model->force.jet != NULL;
-  eom_stage *stage = ws->stage;
+static void plan_lagrangian(const eom_system *sys, eom_workspace *ws, eom_stage_id id, tl_spec spec, int first_q, int first_qd) {
+  use_stage(ws, id, spec, first_q, first_qd);
+  admit(&ws->stage[id], &sys->model->lagrangian, sys->params);
+}
 
-  use_stage(ws, STAGE_ENERGY, tl_jacobian(n), -1, 0);
-  use_stage(ws, STAGE_MASS, tl_hessian(n), -1, 0);
-  use_stage(ws, STAGE_FORCE, tl_motion(1, 2 * n), 0, n);
-  admit(&stage[STAGE_ENERGY], &model->lagrangian, sys->params);
-  admit(&stage[STAGE_MASS], &model->lagrangian, sys->params);
-  admit(&stage[STAGE_FORCE], &model->lagrangian, sys->params);
-  if (force) {
-    use_stage(ws, STAGE_GAMMA, tl_univariate(0), -1, -1);
-    admit(&stage[STAGE_GAMMA], &model->force, sys->params);
+static void plan_force(const eom_system *sys, eom_workspace *ws, eom_stage_id id, tl_spec spec, int first_q, int first_qd) {
+  if (!sys->model->force.jet) return;
+  use_stage(ws, id, spec, first_q, first_qd);
+  admit(&ws->stage[id], &sys->model->force, sys->params);
+}
+
+static void plan_holonomic(const eom_system *sys, eom_workspace *ws, eom_stage_id id, tl_spec spec) {
+  if (sys->m1 == 0) return;
+  use_stage(ws, id, spec, 0, -1);
+  admit_all(&ws->stage[id], sys->model->holonomic, sys->model->nholonomic, sys->params);
+}
+
+static void plan_nonholonomic(const eom_system *sys, eom_workspace *ws, eom_stage_id id, tl_spec spec) {
+  if (sys->m2 == 0) return;
+  use_stage(ws, id, spec, -1, 0);
+  admit_all(&ws->stage[id], sys->model->nonholonomic, sys->model->nnonholonomic, sys->params);
+}
+
+/* The stages of what calls evaluate, and two that motion functions need beside them: see eom_size_rows and eom_motion_verdict. */
+static void plan_stages(const eom_system *sys, eom_workspace *ws) {
+  const int n = sys->n;
+  plan_holonomic(sys, ws, STAGE_HOLONOMIC, tl_motion(2, n));
+  if (ws->emitter[EOM_TASK_ENERGY] == EOM_EMITTER_CALLS) plan_lagrangian(sys, ws, STAGE_ENERGY, tl_jacobian(n), -1, 0);
+  if (ws->emitter[EOM_TASK_ASSEMBLE] == EOM_EMITTER_CALLS) {
+    plan_lagrangian(sys, ws, STAGE_MASS, tl_hessian(n), -1, 0);
+    plan_nonholonomic(sys, ws, STAGE_NONHOLONOMIC, tl_motion(1, n));
   }
-  if (sys->m1 > 0) {
-    use_stage(ws, STAGE_HOLONOMIC, tl_motion(2, n), 0, -1);
-    admit_all(&stage[STAGE_HOLONOMIC], model->holonomic, model->nholonomic, sys->params);
+  if (ws->emitter[EOM_TASK_ASSEMBLE] == EOM_EMITTER_CALLS || ws->emitter[EOM_TASK_RESIDUAL] == EOM_EMITTER_CALLS) {
+    plan_lagrangian(sys, ws, STAGE_FORCE, tl_motion(1, 2 * n), 0, n);
+    plan_force(sys, ws, STAGE_GAMMA, tl_univariate(0), -1, -1);
   }
-  if (sys->m2 > 0) {
-    use_stage(ws, STAGE_NONHOLONOMIC, tl_motion(1, n), -1, 0);
-    admit_all(&stage[STAGE_NONHOLONOMIC], model->nonholonomic, model->nnonholonomic, sys->params);
+  if (sys->motion) {
+    plan_lagrangian(sys, ws, STAGE_LOCATE, tl_univariate(2), -1, -1);
+    plan_force(sys, ws, STAGE_LOCATE, tl_univariate(2), -1, -1);
+    admit_all(&ws->stage[STAGE_LOCATE], sys->model->holonomic, sys->model->nholonomic, sys->params);
+    admit_all(&ws->stage[STAGE_LOCATE], sys->model->nonholonomic, sys->model->nnonholonomic, sys->params);
   }
-  if (!linearise) return;
-  use_stage(ws, STAGE_LINEARISE, (tl_spec){.curve = 1, .nvar = 2 * n, .order = 2}, 0, n);
-  admit(&stage[STAGE_LINEARISE], &model->lagrangian, sys->params);
-  admit_all(&stage[STAGE_LINEARISE], model->nonholonomic, model->nnonholonomic, sys->params);
-  if (force) {
-    use_stage(ws, STAGE_GAMMA_LINEARISE, tl_jacobian(2 * n), 0, n);
-    admit(&stage[STAGE_GAMMA_LINEARISE], &model->force, sys->params);
-  }
-  if (sys->m1 > 0) {
-    use_stage(ws, STAGE_CURVATURE, tl_hessian(n), 0, -1);
-    admit_all(&stage[STAGE_CURVATURE], model->holonomic, model->nholonomic, sys->params);
-  }
+  if (ws->emitter[EOM_TASK_LINEARISE] != EOM_EMITTER_CALLS) return;
+  plan_lagrangian(sys, ws, STAGE_LINEARISE, (tl_spec){.curve = 1, .nvar = 2 * n, .order = 2}, 0, n);
+  admit_all(&ws->stage[STAGE_LINEARISE], sys->model->nonholonomic, sys->model->nnonholonomic, sys->params);
+  plan_force(sys, ws, STAGE_GAMMA_LINEARISE, tl_jacobian(2 * n), 0, n);
+  plan_holonomic(sys, ws, STAGE_CURVATURE, tl_hessian(n));
 }
 
 /* Numbers that the jets and the context of each stage take: all stages share one piece of memory, as large as the largest. */
@@ -232,7 +248,7 @@ static eom_status plan(eom_system *sys, eom_workspace *ws, const eom_model *mode
   if (!plan_sizes(sys, model, params)) return EOM_BAD_MODEL;
   if (!plan_options(sys, options)) return EOM_BAD_OPTION;
   ws->linalg = choose_linalg(sys);
-  if (!ws->linalg) return EOM_BAD_OPTION;
+  if (!ws->linalg || !eom_choose_emitters(sys, ws)) return EOM_BAD_OPTION;
   ws->factor.nwork = eom_linalg_work(sys->n > sys->m ? sys->n : sys->m, sys->m);
   plan_stages(sys, ws);
   return plan_memory(sys, ws) ? EOM_OK : EOM_NO_MEMORY;
@@ -250,7 +266,8 @@ static bool lay_out(eom_system *sys, eom_workspace **ws, eom_arena *arena) {
     if (!s->used) continue;
     const size_t bytes = tl_shape_bytes(s->spec);
     void *table = eom_arena_take(arena, bytes, 1);
-    if (arena->base && tl_shape_init(&s->shape, s->spec, table, bytes) != 0) return false;
+    s->shape = eom_arena_take(arena, 1, sizeof(tl_shape));
+    if (arena->base && tl_shape_init(s->shape, s->spec, table, bytes) != 0) return false;
   }
   take_public(sys, arena);
   tl_real *weights = eom_arena_reals(arena, sys->options.weights ? (size_t)sys->m : 0);

@@ -18,6 +18,7 @@ typedef enum eom_stage_id {
   STAGE_LINEARISE,       /* {1,s} x C(2n,2) */
   STAGE_GAMMA_LINEARISE, /* {1} x C(2n,1) */
   STAGE_CURVATURE,       /* {1} x C(n,2), tangents on q */
+  STAGE_LOCATE,          /* {1,s,s2} */
   STAGE_COUNT
 } eom_stage_id;
 
@@ -28,7 +29,7 @@ typedef struct eom_stage {
   size_t frame;          /* jets of frame stack */
   size_t context;        /* numbers for the context */
   size_t rows;           /* result jets */
-  tl_shape shape;
+  tl_shape *shape;       /* null until memory is laid out */
 } eom_stage;
 
 /* calM = M + A'WA = S^-1 L L' S^-1, B = L^-1 S A' with columns of unit length: B D P = Q [R11 R12; 0 R22], and where the rank r is
@@ -64,8 +65,11 @@ struct eom_workspace {
   tl_real *b_size;      /* m: size of the terms that cancel in b */
   tl_real *r1, *r2;     /* n, m: residuals of the equations */
   tl_real *dq, *dl;     /* n, m: corrections */
-  tl_real *rhs1, *rhs2; /* 2n vectors of n, of m: linearised right-hand sides, null without EOM_NEED_LINEARISE */
-  tl_real *sol1, *sol2; /* 2n vectors of n, of m */
+  tl_real *rhs1, *rhs2; /* right-hand sides of n, of m: 2n of them where calls linearise, else one; null where none are solved for */
+  tl_real *sol1, *sol2; /* n, m: a solution */
+
+  eom_emitter emitter[EOM_TASK_COUNT]; /* AUTO: not needed */
+  tl_real *motion_work;
 };
 
 /* Memory handed out from front to back; with base null it only counts. */
@@ -75,7 +79,7 @@ typedef struct eom_arena {
   bool overflow;
 } eom_arena;
 
-#define EOM_ALIGNMENT 64 /* a cache line, and any vector register */
+#define EOM_ALIGNMENT EOM_MOTION_ALIGNMENT
 
 /* An arena at the first aligned place of memory: needs EOM_ALIGNMENT bytes more than what will be taken. */
 eom_arena eom_arena_at(void *memory);

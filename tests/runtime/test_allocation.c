@@ -1,7 +1,7 @@
 /* No evaluation allocates: malloc and its relatives are interposed and counted. */
 #include "close.h"
 #include "constrained_models.h"
-#include "pendulum_model.h"
+#include "pendulum_motion.h"
 
 #include "eom/eom.h"
 
@@ -64,8 +64,10 @@ static void no_evaluation_allocates(void **state) {
   (void)state;
   skip_unless_counting();
   const pendulum small = {3, 9.81};
+  const eom_model by_motion = pendulum_with_motion();
   for (eom_linalg_choice linalg = EOM_LINALG_CORE; linalg <= EOM_LINALG_LAPACK; linalg++) {
     evaluate(&pendulum_model, &small, linalg);
+    evaluate(&by_motion, &small, linalg);
     evaluate(&cartesian_double_pendulum, NULL, linalg);
     evaluate(&mixed, NULL, linalg);
   }

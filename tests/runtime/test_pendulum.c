@@ -67,6 +67,7 @@ static void agrees_with_closed_form(void **state) {
       assert_int_equal(eom_linearise(sys, q, qd, 0), EOM_OK);
       compare(sys->qdd, qdd, n, &worst_a);
       compare(sys->qdd_y, F, 2 * n * n, &worst_F);
+      assert_int_equal(eom_energy(sys, q, qd, 0), EOM_OK);
       compare(&sys->energy, &E, 1, &worst_E);
     }
     print_message("N=%d: largest relative error of qdd %.1e, of its derivative %.1e, of the energy %.1e\n", n, worst_a, worst_F,

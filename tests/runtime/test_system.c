@@ -85,7 +85,7 @@ static void impossible_options(void **state) {
     assert_int_equal(create_and_destroy(&cartesian_pendulum, NULL, &o), EOM_BAD_OPTION);
   }
   o = eom_options_default();
-  o.needs = 6;
+  o.needs = EOM_NEED_ALL + 1;
   assert_int_equal(create_and_destroy(&cartesian_pendulum, NULL, &o), EOM_BAD_OPTION);
   o = eom_options_default();
   o.linalg = (eom_linalg_choice)9;

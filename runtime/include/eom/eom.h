@@ -8,5 +8,6 @@
 #include "eom/lyapunov.h"
 #include "eom/solve.h"
 #include "eom/system.h"
+#include "eom/tangent.h"
 
 #endif

@@ -8,7 +8,7 @@
 extern "C" {
 #endif
 
-/* Accelerations at (q, qd, t) as eom_acceleration, then qdd_y = d qdd/d(q,qd) and lambda_y = d lambda/d(q,qd) with the same
+/* Accelerations at (q, qd, t) as eom_acceleration; with them qdd_y = d qdd/d(q,qd) and lambda_y = d lambda/d(q,qd) with the same
  * factorisation. The system must have EOM_NEED_LINEARISE. Errors as eom_acceleration. */
 eom_status eom_linearise(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t);
 

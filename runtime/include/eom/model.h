@@ -3,8 +3,11 @@
 #ifndef EOM_MODEL_H
 #define EOM_MODEL_H
 
-#include "eom/motion.h"
 #include "taylor/context.h"
+
+/* Motion functions: see eom/motion.h, whose one-letter names a program must include before a source of its own that has such macros. */
+typedef struct eom_motion eom_motion;
+typedef struct eom_parts eom_parts;
 
 /* A source function carried over to jets, in any shape of cx.
  *   out      its results: rows jets; the runtime sets a force's to zero and all others to NaN before the call, so that a row which the

@@ -19,7 +19,7 @@
 #ifndef EOM_MOTION_H
 #define EOM_MOTION_H
 
-#include "taylor/context.h"
+#include "eom/model.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -44,7 +44,7 @@ enum {
 #define EOM_MOTION_LEAST_PIVOT(n) (TL_C(8.0) * (tl_real)(n) * TL_EPSILON)
 
 /* The parts of the equations of motion at a state; none is null but those of no elements. */
-typedef struct eom_parts {
+struct eom_parts {
   tl_real *M;       /* n x n, symmetric to the bit */
   tl_real *Q;       /* n: Gamma + dL/dq - d/dt(dL/dqd) at qdd = 0 */
   tl_real *phi;     /* m1: phi(q,t) */
@@ -52,7 +52,7 @@ typedef struct eom_parts {
   tl_real *psi;     /* m2: psi(q,qd,t) */
   tl_real *A;       /* m x n: dphi/dq above dpsi/dqd */
   tl_real *b;       /* m: phi'' = A qdd - b, psi' = A qdd - b */
-} eom_parts;
+};
 
 /* A place in the user's source where an elementary function can fail. */
 typedef struct eom_site {
@@ -96,7 +96,7 @@ typedef int eom_directional_fn(const void *params, const tl_real *q, const tl_re
                                tl_real *qdd, tl_real *dqdd, tl_real *work);
 
 /* A model's motion at one size. Functions that the model was not asked for are null; so are the solved forms where m > 0. */
-typedef struct eom_motion {
+struct eom_motion {
   int n, m1, m2;
   int (*fits)(const void *params); /* 1 where the parameters have these sizes, 0 elsewhere */
   size_t work;                     /* numbers (tl_real) of workspace, enough for each function */
@@ -113,7 +113,7 @@ typedef struct eom_motion {
   eom_acceleration_fn *acceleration;
   eom_jacobian_fn *jacobian;
   eom_directional_fn *directional;
-} eom_motion;
+};
 
 #ifdef __cplusplus
 }

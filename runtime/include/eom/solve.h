@@ -13,7 +13,8 @@ extern "C" {
  * NOT_FINITE. */
 eom_status eom_solve(eom_system *sys);
 
-/* eom_assemble, then eom_solve. */
+/* Accelerations at (q, qd, t): fills qdd, lambda, Qc, row_kind and the report, and leaves the fields of assemble unspecified: motion
+ * functions of a model without constraints need none of them. Errors of eom_assemble and eom_solve; SIZES_CHANGED. */
 eom_status eom_acceleration(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t);
 
 /* ydot = f(t,y) with y = (q,qd): 2n, as a right-hand side for integrators; user is the eom_system. Returns an eom_status. */

@@ -13,6 +13,7 @@ extern "C" {
   X(OK, "no failure")                                                                                                                  \
   X(BAD_MODEL, "the model is incomplete or has impossible sizes")                                                                      \
   X(NO_PARAMS, "the model has a parameter struct, and none was given")                                                                 \
+  X(SIZES_CHANGED, "the parameters no longer have the sizes that the system was started with")                                         \
   X(BAD_OPTION, "an option is outside its range")                                                                                      \
   X(NO_MEMORY, "the memory is too small or could not be allocated")                                                                    \
   X(DOMAIN, "a model function does not exist, or has no derivative, at this state")                                                    \
@@ -47,14 +48,15 @@ typedef struct eom_row {
 /* The outcome of the last evaluation. Holds static strings and the model's names only: copy it freely while the model lives. */
 typedef struct eom_report {
   eom_status status;
-  const char *function; /* the model function or argument that failed, null where none did */
+  const char *function; /* the model function or argument that failed; the model where a motion function did; null where none did */
   const char *source;   /* its "file.c:12", null where unknown */
-  tl_status jet;        /* the failing elementary function and the source line, where a model function failed */
+  tl_status jet;        /* the failing elementary function and the source line, where a model or motion function failed */
   int index;            /* coordinate without inertia, or place in a not finite array; -1 elsewhere */
   /* filled by every solve, also where it succeeds */
   int rank;          /* independent constraint rows */
   int weighted;      /* 1 where calM = M + A'WA took the place of M */
-  tl_real pivot;     /* smallest pivot of the Cholesky factorisation of calM scaled to a unit diagonal, 0..1 */
+  tl_real pivot;     /* smallest pivot of the Cholesky factorisation of calM scaled to a unit diagonal, 0..1; -1 where a motion
+                        function solved, which keeps it above EOM_MOTION_LEAST_PIVOT(n) and does not say more */
   tl_real condition; /* estimate of the condition of the constraint rows in the mass metric, each scaled to unit length; 1 for none */
   tl_real residual;  /* largest |A qdd - b|, each row scaled to unit length in the mass metric */
   int nrow;          /* rows that are dependent or inconsistent; the first EOM_REPORT_ROWS of them are in row[] */

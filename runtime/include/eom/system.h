@@ -5,18 +5,40 @@
 #ifndef EOM_SYSTEM_H
 #define EOM_SYSTEM_H
 
-#include "eom/model.h"
+#include "eom/motion.h"
 #include "eom/status.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* What a system will be asked for; memory is reserved for nothing else. */
+/* What a system will be asked for, bits; memory is reserved for nothing else. */
 enum {
-  EOM_NEED_SIMULATE = 0,  /* assemble, solve, energy, integrate */
-  EOM_NEED_LINEARISE = 1, /* linearise, Lyapunov exponents */
+  EOM_NEED_SIMULATE = 0,   /* assemble, solve, energy, integrate: always there */
+  EOM_NEED_LINEARISE = 1,  /* linearise, Lyapunov exponents */
+  EOM_NEED_RESIDUAL = 2,   /* inverse dynamics */
+  EOM_NEED_TANGENT = 4,    /* derivatives in given directions */
+  EOM_NEED_PARAMETERS = 8, /* derivatives with respect to parameters */
+  EOM_NEED_ALL = 15
 };
+
+/* What a system evaluates, each by one emitter of tlgen. */
+typedef enum eom_task {
+  EOM_TASK_ENERGY,
+  EOM_TASK_ASSEMBLE, /* and the acceleration */
+  EOM_TASK_LINEARISE,
+  EOM_TASK_RESIDUAL,
+  EOM_TASK_TANGENT,
+  EOM_TASK_PARAMETERS,
+  EOM_TASK_COUNT
+} eom_task;
+
+/* Whose functions evaluate the model. */
+typedef enum eom_emitter {
+  EOM_EMITTER_AUTO,  /* motion functions where the model has them at this size, else calls */
+  EOM_EMITTER_CALLS, /* the model's functions on jets, eom_function */
+  EOM_EMITTER_MOTION /* motion functions alone, eom_motion; BAD_OPTION where one that the needs ask for is missing at this size */
+} eom_emitter;
 
 /* Who does the dense linear algebra. */
 typedef enum eom_linalg_choice {
@@ -35,6 +57,7 @@ typedef struct eom_options {
   tl_real consistency_tolerance; /* dependent rows are inconsistent where they ask for accelerations that differ by more than this
                                     part of the largest acceleration; default sqrt(epsilon) */
   eom_linalg_choice linalg;      /* default EOM_LINALG_AUTO */
+  eom_emitter emitter;           /* default EOM_EMITTER_AUTO */
 } eom_options;
 
 /* All defaults. */
@@ -47,6 +70,7 @@ typedef struct eom_system {
   const void *params;  /* the model's parameters: read at every evaluation, may change between them as long as the sizes stay */
   eom_options options; /* weights point into the system's own memory */
   int n, m1, m2, m;
+  const eom_motion *motion; /* the motion functions in use; null where calls do everything */
 
   /* energy, assemble */
   tl_real *momentum;  /* n: p = dL/dqd */
@@ -62,7 +86,7 @@ typedef struct eom_system {
   tl_real *phi_dot; /* m1: d phi/dt, zero on the manifold */
   tl_real *psi;     /* m2: psi(q,qd,t), zero on the manifold */
 
-  /* solve */
+  /* solve, acceleration (which leaves the fields above unspecified) */
   tl_real *qdd;    /* n */
   tl_real *lambda; /* m: the physical multipliers; of least norm among equals where rows are dependent (rows scaled to unit length) */
   tl_real *Qc;     /* n: constraint force A' lambda */
@@ -87,6 +111,9 @@ eom_status eom_system_init(eom_system *sys, const eom_model *model, const void *
 /* The same with memory from malloc. *sys is null unless EOM_OK. Destroy takes null. */
 eom_status eom_system_create(eom_system **sys, const eom_model *model, const void *params, const eom_options *options);
 void eom_system_destroy(eom_system *sys);
+
+/* Who evaluates a task: EOM_EMITTER_MOTION or EOM_EMITTER_CALLS; EOM_EMITTER_AUTO where the system's needs do not include it. */
+eom_emitter eom_system_emitter(const eom_system *sys, eom_task task);
 
 /* Name and source of constraint row i, 0 <= i < m; kind is that of the last solve. */
 eom_row eom_system_row(const eom_system *sys, int i);

@@ -146,24 +146,29 @@ static void check_rows(errors *e, const point *p, const eom_system *sys) {
   compare_all(e, p, ROWS, "runtime", rows, sys->m);
 }
 
+/* Whether an evaluation went well. */
+static bool succeeded(const eom_system *sys, eom_status status) {
+  char text[512];
+  if (status == EOM_OK) return true;
+  faults++;
+  eom_report_text(&sys->report, text, sizeof text);
+  fprintf(stderr, "%s: %s\n", sys->model->name, text);
+  return false;
+}
+
 static void check_motion(errors *e, const point *p, eom_system *sys) {
   const block *gradient = reference_block(p, names[GRADIENT]);
   int n = sys->n;
-  eom_status status = eom_linearise(sys, p->state, p->state + n, p->state[2 * n]);
-  if (status) {
-    char text[512];
-    faults++;
-    eom_report_text(&sys->report, text, sizeof text);
-    fprintf(stderr, "%s: %s\n", sys->model->name, text);
-    return;
-  }
+  const double *q = p->state, *qd = q + n, t = p->state[2 * n];
+  if (!succeeded(sys, eom_assemble(sys, q, qd, t))) return;
   compare_all(e, p, VALUE, "runtime", &sys->lagrangian, 1);
   for (int i = 0; i < n; i++) compare(e, p, GRADIENT, "runtime", n + i, sys->momentum[i], gradient->numbers[n + i]);
   check_mass(e, p, sys);
+  check_rows(e, p, sys);
+  if (!succeeded(sys, eom_linearise(sys, q, qd, t))) return;
   compare_all(e, p, QDD, "runtime", sys->qdd, n);
   compare_all(e, p, QDD_Y, "runtime", sys->qdd_y, 2 * n * n);
   compare_all(e, p, LAMBDA, "runtime", sys->lambda, sys->m);
-  check_rows(e, p, sys);
 }
 
 static errors no_errors(void) {

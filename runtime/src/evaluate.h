@@ -1,0 +1,35 @@
+/* What the stages of one evaluation share: its start, motion functions and their failures, and the parts of the equations. */
+#ifndef EOM_EVALUATE_H
+#define EOM_EVALUATE_H
+
+#include "workspace.h"
+
+/* Decides which tasks of the system's needs motion functions serve: sets sys->motion and ws->emitter. False where options.emitter asks
+ * for functions that are not there. */
+bool eom_choose_emitters(eom_system *sys, eom_workspace *ws);
+
+bool eom_by_motion(const eom_system *sys, eom_task task);
+
+/* Clears the report and checks that the arguments are finite. */
+eom_status eom_start(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t);
+
+/* What a motion function returned at a state, as a status with its report. */
+eom_status eom_motion_verdict(eom_system *sys, int code, const tl_real *q, const tl_real *qd, tl_real t);
+
+/* M, Q, A, b, phi, phi_dot, psi at a state: all that eom_solve needs and, by motion functions, no more. */
+eom_status eom_assemble_parts(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t);
+
+/* The size of the terms that cancel in b, which motion functions do not say: what tells dependent rows that contradict each other from
+ * rounding. Calls of the holonomic constraints. */
+eom_status eom_size_rows(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t);
+
+/* eom_assemble_parts, then eom_solve: afterwards the factors serve further right-hand sides. */
+eom_status eom_solve_at(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t);
+
+/* What a solved form of the motion functions returned, as a status with the report of a solution. */
+eom_status eom_solved_by_motion(eom_system *sys, int code, const tl_real *q, const tl_real *qd, tl_real t);
+
+/* X and Y of M X - A' Y = -r, A X = -g with the factors of the last solve, in the places of r (n x k) and g (m x k). */
+void eom_solve_columns(eom_system *sys, int k, tl_real *r, tl_real *g);
+
+#endif
