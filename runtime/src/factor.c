@@ -25,8 +25,6 @@ static tl_real least_pivot(int n) { return TL_C(8.0) * (tl_real)n * TL_EPSILON; 
 /* A matrix that is indefinite along a direction the constraints forbid needs more than weights of its own size. */
 #define EOM_STRONG_WEIGHT TL_C(4096.0)
 
-#define EOM_REFINEMENTS 10
-
 static tl_real largest(int n, const tl_real *x) {
   tl_real most = TL_C(0.0);
   for (int i = 0; i < n; i++) most = TL_LIBM(fmax)(most, TL_LIBM(fabs)(x[i]));

@@ -4,6 +4,8 @@
 
 #include "workspace.h"
 
+#define EOM_REFINEMENTS 10 /* passes, at most */
+
 /* Factors sys->M and sys->A; fills rank, pivot, condition and weighted of the report. NO_INERTIA, NOT_FINITE. */
 eom_status eom_factor_make(eom_system *sys);
 

@@ -131,24 +131,22 @@ static eom_status linearise_constraint_force(eom_system *sys, const tl_real *q, 
   return EOM_OK;
 }
 
-/* Solves for all 2n columns and turns vectors into rows of the results. */
-static void solve_vectors(eom_system *sys) {
-  eom_workspace *ws = sys->workspace;
-  const int n = sys->n, m = sys->m;
-  tl_real *dq = ws->sol1, *dl = ws->sol2;
-  for (int j = 0; j < 2 * n; j++) {
-    eom_kkt_solve(sys, dq, dl, ws->rhs1 + j * n, ws->rhs2 ? ws->rhs2 + j * m : NULL);
-    for (int i = 0; i < n; i++) sys->qdd_y[i * 2 * n + j] = dq[i];
-    for (int r = 0; r < m; r++) sys->lambda_y[r * 2 * n + j] = dl[r];
-  }
-}
-
-static eom_status linearise_by_calls(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+eom_status eom_linearised_terms(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
   if (linearise_motion(sys, q, qd, t) != EOM_OK) return sys->report.status;
   if (sys->model->force.jet && linearise_force(sys, q, qd, t) != EOM_OK) return sys->report.status;
   if (sys->m1 > 0 && linearise_holonomic(sys, q, qd, t) != EOM_OK) return sys->report.status;
-  if (sys->m1 > 0 && linearise_constraint_force(sys, q, qd, t) != EOM_OK) return sys->report.status;
-  solve_vectors(sys);
+  return sys->m1 > 0 ? linearise_constraint_force(sys, q, qd, t) : EOM_OK;
+}
+
+static eom_status linearise_by_calls(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  if (eom_linearised_terms(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  const eom_workspace *ws = sys->workspace;
+  const int n = sys->n, m = sys->m;
+  for (int j = 0; j < 2 * n; j++) {
+    for (int i = 0; i < n; i++) sys->qdd_y[i * 2 * n + j] = -ws->rhs1[j * n + i];
+    for (int r = 0; r < m; r++) sys->lambda_y[r * 2 * n + j] = -ws->rhs2[j * m + r];
+  }
+  eom_solve_columns(sys, 2 * n, sys->qdd_y, sys->lambda_y);
   return EOM_OK;
 }
 

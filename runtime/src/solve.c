@@ -3,6 +3,7 @@
 
 #include "evaluate.h"
 #include "factor.h"
+#include "lanes.h"
 #include "stage.h"
 
 #include <assert.h>
@@ -78,7 +79,8 @@ eom_status eom_acceleration(eom_system *sys, const tl_real *q, const tl_real *qd
   return code == EOM_MOTION_PIVOT ? eom_solve_at(sys, q, qd, t) : eom_solved_by_motion(sys, code, q, qd, t);
 }
 
-void eom_solve_columns(eom_system *sys, int k, tl_real *r, tl_real *g) {
+/* Where rows are dependent, one by one. */
+static void solve_each(eom_system *sys, int k, tl_real *r, tl_real *g) {
   eom_workspace *ws = sys->workspace;
   const int n = sys->n, m = sys->m;
   for (int j = 0; j < k; j++) {
@@ -88,6 +90,13 @@ void eom_solve_columns(eom_system *sys, int k, tl_real *r, tl_real *g) {
     for (int i = 0; i < n; i++) r[i * k + j] = ws->sol1[i];
     for (int i = 0; i < m; i++) g[i * k + j] = ws->sol2[i];
   }
+}
+
+void eom_solve_columns(eom_system *sys, int k, tl_real *r, tl_real *g) {
+  if (sys->workspace->factor.rank == sys->m)
+    eom_lanes_solve(sys, k, r, g);
+  else
+    solve_each(sys, k, r, g);
 }
 
 int eom_rhs(void *user, tl_real t, const tl_real *y, tl_real *ydot) {

@@ -72,6 +72,20 @@ static void take_factor(eom_factor *f, size_t n, size_t m, eom_arena *a) {
   f->work = eom_arena_reals(a, (size_t)f->nwork);
 }
 
+static void take_lanes(eom_lanes *l, size_t n, size_t m, eom_arena *a) {
+  const size_t row = sizeof *l->R1;
+  l->R1 = eom_arena_take(a, n, row);
+  l->R2 = eom_arena_take(a, m, row);
+  l->dq = eom_arena_take(a, n, row);
+  l->dl = eom_arena_take(a, m, row);
+  l->r1 = eom_arena_take(a, n, row);
+  l->r2 = eom_arena_take(a, m, row);
+  l->change_q = eom_arena_take(a, n, row);
+  l->change_l = eom_arena_take(a, m, row);
+  l->v = eom_arena_take(a, m, row);
+  l->w = eom_arena_take(a, m, row);
+}
+
 static void take_private(eom_system *sys, eom_workspace *ws, eom_arena *a) {
   const size_t n = (size_t)sys->n, m = (size_t)sys->m;
   take_factor(&ws->factor, n, m, a);
@@ -86,6 +100,7 @@ static void take_private(eom_system *sys, eom_workspace *ws, eom_arena *a) {
     ws->rhs2 = eom_arena_reals(a, vectors * m);
     ws->sol1 = eom_arena_reals(a, n);
     ws->sol2 = eom_arena_reals(a, m);
+    take_lanes(&ws->lanes, n, m, a);
   }
   ws->motion_work = eom_arena_reals(a, sys->motion ? sys->motion->work : 0);
   ws->jets = eom_arena_reals(a, ws->njets);

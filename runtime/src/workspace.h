@@ -52,6 +52,17 @@ typedef struct eom_factor {
   int nwork;
 } eom_factor;
 
+#define EOM_LANES 8 /* right-hand sides that are solved for together: one vector register of the widest kind */
+
+/* Rows of lanes for eom_lanes_solve. */
+typedef struct eom_lanes {
+  tl_real (*R1)[EOM_LANES], (*R2)[EOM_LANES];             /* n, m: right-hand sides */
+  tl_real (*dq)[EOM_LANES], (*dl)[EOM_LANES];             /* n, m: solutions */
+  tl_real (*r1)[EOM_LANES], (*r2)[EOM_LANES];             /* n, m: residuals */
+  tl_real (*change_q)[EOM_LANES], (*change_l)[EOM_LANES]; /* n, m: corrections */
+  tl_real (*v)[EOM_LANES], (*w)[EOM_LANES];               /* m: inside a pass */
+} eom_lanes;
+
 struct eom_workspace {
   eom_stage stage[STAGE_COUNT];
   tl_ctx cx;
@@ -67,6 +78,7 @@ struct eom_workspace {
   tl_real *dq, *dl;     /* n, m: corrections */
   tl_real *rhs1, *rhs2; /* right-hand sides of n, of m: 2n of them where calls linearise, else one; null where none are solved for */
   tl_real *sol1, *sol2; /* n, m: a solution */
+  eom_lanes lanes;      /* likewise */
 
   eom_emitter emitter[EOM_TASK_COUNT]; /* AUTO: not needed */
   tl_real *motion_work;
