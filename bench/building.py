@@ -72,7 +72,7 @@ def fingerprint(command, sources):
 def compile_object(output, compiler, flags, arguments, depends, seconds):
     """Compiles a shared object unless the one that is there was made by the same command from the same files. Returns the seconds that
     it took, or None where it did not end in time."""
-    command = [compiler, *flags, "-shared", "-fPIC", *arguments]
+    command = [compiler, *flags, "-shared", "-fPIC", "-fno-semantic-interposition", *arguments]
     stamp, now = output.with_suffix(".stamp"), fingerprint(command, depends)
     fresh = output.with_suffix(f".{os.getpid()}") # others may load the old one, or make the same
     if output.exists() and stamp.exists():
