@@ -1,0 +1,133 @@
+"""From programs to numbers: tlgen, compilers, and one executable per batch."""
+import os
+import re
+import subprocess
+
+# How the generated code is compiled; a batch takes one of them. What DESIGN warns of, vectorised straight-line code, is switched off.
+OPTIMISED = ["-O3", "-march=native", "-ffp-contract=fast", "-fno-math-errno"]
+CONFIGURATIONS = {
+    "gcc-O0": ["gcc", "-O0"],
+    "clang-O3": ["clang-19", *OPTIMISED, "-fno-slp-vectorize"],
+    "gcc-O3": ["gcc", *OPTIMISED, "-fno-tree-slp-vectorize"],
+    "clang-O0": ["clang-19", "-O0"],
+    "gcc-sanitize": ["gcc", "-O1", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"],
+}
+# The programs compute things that nobody uses, and so does what is made of them.
+WARNINGS = ["-std=c11", "-Wall", "-Wextra", "-Wconversion", "-Werror", "-Wno-unused-but-set-variable"]
+SECONDS = 600
+
+
+class Result:
+    """What is known of one program: faults as texts, the largest error of each (way, group), counts of points."""
+
+    def __init__(self):
+        self.faults, self.errors, self.points = [], {}, {}
+
+    def fault(self, way, text):
+        self.faults.append((way, text))
+
+    @property
+    def kinds(self):
+        """The ways that failed, without numbers: what a reduced program must fail in too."""
+        return {(way, re.sub(r"[\[:(].*|[0-9]+", "", text).strip()) for way, text in self.faults}
+
+
+def run(command, folder, **more):
+    """In a session of its own: who stops the run at the terminal does not stop what is half done."""
+    more["start_new_session"] = True
+    return subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=SECONDS, check=False, **more)
+
+
+class Builder:
+    """Checks batches of programs in a folder of their own."""
+
+    def __init__(self, build):
+        with open(os.path.join(build, "tests", "fuzz", "paths.txt"), encoding="utf-8") as file:
+            paths = dict(line.rstrip("\n").split(" ", 1) if " " in line else (line.strip(), "") for line in file)
+        self.tlgen = paths["tlgen"]
+        self.includes = [f"-I{path}" for path in paths["includes"].split(";")]
+        self.libraries = paths["libraries"].split(";")
+        self.sanitizers = [flag for flag in paths["sanitizers"].split(";") if flag]
+
+    def model_line(self, program):
+        return f"{program.name}.c {program.options} --model {program.name} --selftest -o {program.name}_tl.c"
+
+    def generate(self, programs, folder, results):
+        """Runs tlgen on all; where it refuses some, on each. Returns those that it accepts."""
+        with open(os.path.join(folder, "models"), "w", encoding="utf-8") as file:
+            file.write("\n".join(self.model_line(p) for p in programs) + "\n")
+        if run([self.tlgen, "--models", "models"], folder).returncode == 0:
+            return programs
+        accepted = []
+        for program in programs:
+            done = run([self.tlgen, *self.model_line(program).split()], folder)
+            if done.returncode == 0:
+                accepted.append(program)
+                continue
+            errors = [line for line in done.stderr.splitlines() if "error" in line] or [f"exit status {done.returncode}"]
+            results[program.name].fault("tlgen", errors[0].split("error: ")[-1])
+        return accepted
+
+    def compile(self, programs, folder, configuration, results):
+        """Objects of those that compile: generated code, and the plain C in quad precision with its path followed."""
+        compiled, objects = [], []
+        for p in programs:
+            generated = run([*CONFIGURATIONS[configuration], *WARNINGS, *self.includes, "-c", f"{p.name}_tl.c", "-o", f"{p.name}_tl.o"], folder)
+            plain = run(["gcc", "-w", "-O0", "-fsanitize-coverage=trace-pc", f"-Dmain={p.name}_test", *self.includes, "-c", f"{p.name}_selftest.c",
+                         "-o", f"{p.name}_selftest.o"], folder)
+            for done in (generated, plain):
+                if done.returncode != 0:
+                    errors = [line for line in done.stderr.splitlines() if "error" in line] or done.stderr.splitlines()
+                    results[p.name].fault("compiler", errors[0].split("error: ")[-1] if errors else "failed")
+                    break
+            else:
+                compiled.append(p)
+                objects += [f"{p.name}_tl.o", f"{p.name}_selftest.o"]
+        return compiled, objects
+
+    def batch_source(self, programs):
+        """The C file that lists the programs."""
+        out = ["/* A batch of random programs. */", '#include "batch.h"', ""]
+        out += [f"int {p.name}_test(int, char **);" for p in programs]
+        rows = [f'    {{{p.name}_test, "{p.name}", "{p.params}"}},' for p in programs]
+        return "\n".join(out + ["", "int main(void) {", "  static const fuzz_program programs[] = {", *rows, "  };",
+                                f"  return fuzz_batch(programs, {len(programs)});", "}", ""])
+
+    def check(self, programs, folder, configuration):
+        """A Result by name for each program."""
+        results = {p.name: Result() for p in programs}
+        for p in programs:
+            with open(os.path.join(folder, f"{p.name}.c"), "w", encoding="utf-8") as file:
+                file.write(p.text)
+        programs, objects = self.compile(self.generate(programs, folder, results), folder, configuration, results)
+        if not programs:
+            return results
+        with open(os.path.join(folder, "batch.c"), "w", encoding="utf-8") as file:
+            file.write(self.batch_source(programs))
+        flags = self.sanitizers or [flag for flag in CONFIGURATIONS[configuration] if flag.startswith("-fsanitize")]
+        linked = run(["gcc", *flags, *self.includes, "batch.c", *objects, *self.libraries, "-o", "batch"], folder)
+        if linked.returncode != 0:
+            raise RuntimeError("the batch does not link:\n" + linked.stderr)
+        environment = dict(os.environ, OPENBLAS_NUM_THREADS="1", ASAN_OPTIONS="detect_leaks=0")
+        done = run(["./batch"], folder, env=environment)
+        self.read(done.stdout, results)
+        for p in programs:
+            if not results[p.name].points and not results[p.name].faults:
+                results[p.name].fault("run", "no result: " + (done.stderr.splitlines() or ["?"])[0])
+        return results
+
+    @staticmethod
+    def read(text, results):
+        for line in text.splitlines():
+            name, what, *rest = line.split(" ", 2)
+            if name not in results or not rest:
+                continue
+            if what == "FAULT":
+                way, _, message = rest[0].partition(": ")
+                results[name].fault(way if message else "run", message or way)
+            elif what == "done":
+                words = rest[0].split()
+                results[name].points = {word: int(number) for number, word in zip(words[::2], words[1::2])}
+            else:
+                group, number = rest[0].split()
+                results[name].errors[what, group] = float(number)
