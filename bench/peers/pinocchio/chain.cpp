@@ -9,14 +9,14 @@
 #include "hinge.h"
 #include "relative_angles.h"
 
-#include <pinocchio/algorithm/aba-derivatives.hpp>
 #include <pinocchio/algorithm/aba.hpp>
+#ifdef CHOLESKY
+#include "dual.h"
 #include <pinocchio/algorithm/cholesky.hpp>
 #include <pinocchio/algorithm/crba.hpp>
 #include <pinocchio/algorithm/rnea.hpp>
-
-#ifdef CHOLESKY
-#include "dual.h"
+#else
+#include <pinocchio/algorithm/aba-derivatives.hpp>
 #endif
 
 #include <memory>
