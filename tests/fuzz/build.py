@@ -13,6 +13,8 @@ CONFIGURATIONS = {
     "gcc-sanitize": ["gcc", "-O1", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"],
 }
 # The programs compute things that nobody uses, and so does what is made of them.
+# What motion functions are printed with: by turns.
+VARIANTS = ["", "--form registers", "--form rows"]
 WARNINGS = ["-std=c11", "-Wall", "-Wextra", "-Wconversion", "-Werror", "-Wno-unused-but-set-variable"]
 SECONDS = 600
 
@@ -22,6 +24,7 @@ class Result:
 
     def __init__(self):
         self.faults, self.errors, self.points = [], {}, {}
+        self.unsuitable = ""  # why there are no motion functions
 
     def fault(self, way, text):
         self.faults.append((way, text))
@@ -41,26 +44,32 @@ def run(command, folder, **more):
 class Builder:
     """Checks batches of programs in a folder of their own."""
 
-    def __init__(self, build):
+    def __init__(self, build, spoiled=False):
+        self.spoiled = spoiled
         with open(os.path.join(build, "tests", "fuzz", "paths.txt"), encoding="utf-8") as file:
             paths = dict(line.rstrip("\n").split(" ", 1) if " " in line else (line.strip(), "") for line in file)
         self.tlgen = paths["tlgen"]
         self.includes = [f"-I{path}" for path in paths["includes"].split(";")]
         self.libraries = paths["libraries"].split(";")
+        self.motions = "--need" in run([self.tlgen, "--help"], ".").stdout
         self.sanitizers = [flag for flag in paths["sanitizers"].split(";") if flag]
 
-    def model_line(self, program):
-        return f"{program.name}.c {program.options} --model {program.name} --selftest -o {program.name}_tl.c"
+    def model_line(self, program, variant):
+        motion = f"--need all {program.motion} {variant}" if self.motions else ""
+        return f"{program.name}.c {program.options} {motion} --model {program.name} --selftest -o {program.name}_tl.c"
 
-    def generate(self, programs, folder, results):
+    def generate(self, programs, folder, variant, results):
         """Runs tlgen on all; where it refuses some, on each. Returns those that it accepts."""
         with open(os.path.join(folder, "models"), "w", encoding="utf-8") as file:
-            file.write("\n".join(self.model_line(p) for p in programs) + "\n")
-        if run([self.tlgen, "--models", "models"], folder).returncode == 0:
+            file.write("\n".join(self.model_line(p, variant) for p in programs) + "\n")
+        done = run([self.tlgen, "--models", "models"], folder)
+        if done.returncode == 0:
+            for name, why in re.findall(r"^(\w+)\.c:\d+:\d+: note: (.*): No motion functions", done.stderr, re.M):
+                results[name].unsuitable = why
             return programs
         accepted = []
         for program in programs:
-            done = run([self.tlgen, *self.model_line(program).split()], folder)
+            done = run([self.tlgen, *self.model_line(program, variant).split()], folder)
             if done.returncode == 0:
                 accepted.append(program)
                 continue
@@ -68,10 +77,21 @@ class Builder:
             results[program.name].fault("tlgen", errors[0].split("error: ")[-1])
         return accepted
 
+    @staticmethod
+    def spoil(program, folder):
+        """Puts a wrong function into the generated code, which the check must notice."""
+        path = os.path.join(folder, f"{program.name}_tl.c")
+        with open(path, encoding="utf-8") as file:
+            text = file.read()
+        with open(path, "w", encoding="utf-8") as file:
+            file.write(re.sub(r"\b((?:tl_)?)sin\(", r"\1cos(", text))
+
     def compile(self, programs, folder, configuration, results):
         """Objects of those that compile: generated code, and the plain C in quad precision with its path followed."""
         compiled, objects = [], []
         for p in programs:
+            if self.spoiled:
+                self.spoil(p, folder)
             generated = run([*CONFIGURATIONS[configuration], *WARNINGS, *self.includes, "-c", f"{p.name}_tl.c", "-o", f"{p.name}_tl.o"], folder)
             plain = run(["gcc", "-w", "-O0", "-fsanitize-coverage=trace-pc", f"-Dmain={p.name}_test", *self.includes, "-c", f"{p.name}_selftest.c",
                          "-o", f"{p.name}_selftest.o"], folder)
@@ -93,13 +113,13 @@ class Builder:
         return "\n".join(out + ["", "int main(void) {", "  static const fuzz_program programs[] = {", *rows, "  };",
                                 f"  return fuzz_batch(programs, {len(programs)});", "}", ""])
 
-    def check(self, programs, folder, configuration):
+    def check(self, programs, folder, configuration, variant):
         """A Result by name for each program."""
         results = {p.name: Result() for p in programs}
         for p in programs:
             with open(os.path.join(folder, f"{p.name}.c"), "w", encoding="utf-8") as file:
                 file.write(p.text)
-        programs, objects = self.compile(self.generate(programs, folder, results), folder, configuration, results)
+        programs, objects = self.compile(self.generate(programs, folder, variant, results), folder, configuration, results)
         if not programs:
             return results
         with open(os.path.join(folder, "batch.c"), "w", encoding="utf-8") as file:

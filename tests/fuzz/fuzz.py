@@ -16,7 +16,7 @@ import threading
 
 import generate
 import reduce
-from build import CONFIGURATIONS, Builder
+from build import CONFIGURATIONS, VARIANTS, Builder
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 KEPT = os.path.join(HERE, "kept")
@@ -29,6 +29,7 @@ class Source:
     def __init__(self, name, text):
         self.name, self.text = name, text
         self.options = self.comment("tlgen")
+        self.motion = self.comment("motion")
         self.params = self.comment("params")
 
     def comment(self, word):
@@ -43,23 +44,28 @@ class Tally:
         self.programs = collections.Counter()
         self.points = collections.Counter()
         self.errors = collections.defaultdict(list)
+        self.unsuitable = collections.Counter()
         self.failed = {}
 
-    def add(self, name, configuration, result):
-        self.programs[configuration] += 1
+    def add(self, name, how, result):
+        self.programs[how[0]] += 1
         self.points.update(result.points)
+        self.unsuitable.update([result.unsuitable] if result.unsuitable else [])
         for key, error in result.errors.items():
             self.errors[key].append(error)
         if result.faults:
-            self.failed[name] = (configuration, result)
+            self.failed[name] = (how, result)
 
     def print(self):
         total = sum(self.programs.values())
         print(f"{total} programs ({', '.join(f'{count} {name}' for name, count in sorted(self.programs.items()))}), "
               f"{self.points['points']} points, {self.points['solved']} of them with accelerations; left out {self.points['rough']} near a kink "
               f"and {self.points['large']} with numbers too large")
+        print(f"{self.points['motions']} programs have motion functions")
+        for why, count in self.unsuitable.most_common():
+            print(f"  {count} have none: {why}")
         if self.errors:
-            print("\nerrors relative to the group's scale, the largest of each program\n"
+            print("\nerrors relative to the group's scale, the larger of each program's points\n"
                   f"{'way':12} {'numbers':10} {'programs':>8} {'median':>9} {'99 %':>9} {'largest':>9}")
         for (way, group), errors in sorted(self.errors.items()):
             errors.sort()
@@ -73,7 +79,7 @@ class Fuzz:
 
     def __init__(self, arguments):
         self.arguments = arguments
-        self.builder = Builder(arguments.build)
+        self.builder = Builder(arguments.build, arguments.spoil)
         self.tally = Tally()
         self.folder = tempfile.mkdtemp(prefix="fuzz-", dir=os.path.join(arguments.build, "tests", "fuzz"))
         self.lock = threading.Lock()
@@ -82,18 +88,18 @@ class Fuzz:
         self.done = 0
 
     def batches(self):
-        """Lists of sources, each with the configuration that compiles it."""
+        """Lists of sources, each with the configuration that compiles it and the variant of tlgen's options."""
         names = list(CONFIGURATIONS)
         if self.arguments.kept:
             sources = []
             for file in sorted(os.listdir(KEPT) if os.path.isdir(KEPT) else []):
                 with open(os.path.join(KEPT, file), encoding="utf-8") as text:
                     sources.append(Source(os.path.splitext(file)[0], text.read()))
-            return [(sources, configuration) for configuration in names if sources]
-        count, first = self.arguments.count, self.arguments.seed
+            return [(sources, configuration, variant) for configuration in names for variant in VARIANTS if sources]
+        count = self.arguments.count
         size = min(BATCH, max(1, -(-count // len(names))))
-        return [(range(start, min(start + size, count)), names[(start // size) % len(names)]) for start in range(0, count, size)
-                if first is not None]
+        starts = enumerate(range(0, count, size))
+        return [(range(start, min(start + size, count)), names[k % len(names)], VARIANTS[k % len(VARIANTS)]) for k, start in starts]
 
     def sources(self, batch):
         if not isinstance(batch, range):
@@ -106,18 +112,18 @@ class Fuzz:
             sources.append(Source(name, str(tree)))
         return sources
 
-    def work(self, number, batch, configuration):
+    def work(self, number, batch, configuration, variant):
         """Checks one batch in a folder that is removed afterwards."""
         if self.stop.is_set():
             return
         folder = os.path.join(self.folder, str(number))
         os.mkdir(folder)
         sources = self.sources(batch)
-        results = self.builder.check(sources, folder, configuration)
+        results = self.builder.check(sources, folder, configuration, variant)
         shutil.rmtree(folder)
         with self.lock:
             for source in sources:
-                self.tally.add(source.name, configuration, results[source.name])
+                self.tally.add(source.name, (configuration, variant), results[source.name])
                 if not results[source.name].faults:
                     self.trees.pop(source.name, None)
             self.done += len(sources)
@@ -142,29 +148,29 @@ class Fuzz:
         try:
             self.check()
             self.tally.print()
-            for name, (configuration, result) in sorted(self.tally.failed.items()):
-                self.tell(name, configuration, result)
+            for name, (how, result) in sorted(self.tally.failed.items()):
+                self.tell(name, how, result)
         except KeyboardInterrupt:
             self.stop.set()
         finally:
             shutil.rmtree(self.folder, ignore_errors=True)
         return 130 if self.stop.is_set() else 1 if self.tally.failed else 0
 
-    def tell(self, name, configuration, result):
-        print(f"\n{name} with {configuration}")
+    def tell(self, name, how, result):
+        print(f"\n{name} with {' '.join(how)}")
         for way, text in result.faults[:5]:
             print(f"  {way}: {text}", flush=True)
         if name in self.trees and not self.arguments.no_reduce and not self.stop.is_set():
-            self.keep(name, configuration, result)
+            self.keep(name, how, result)
 
-    def keep(self, name, configuration, result):
+    def keep(self, name, how, result):
         """Reduces a failing program and writes it among the kept ones."""
         folder = os.path.join(self.folder, name)
         os.mkdir(folder)
         wanted = result.kinds
 
         def fails(tree):
-            again = self.builder.check([Source(name, str(tree))], folder, configuration)[name]
+            again = self.builder.check([Source(name, str(tree))], folder, *how)[name]
             return bool(wanted & again.kinds)
 
         tree = reduce.reduce(self.trees[name], fails)
@@ -185,6 +191,7 @@ def parse():
     parser.add_argument("--jobs", type=int, default=2, help="batches at a time (default 2)")
     parser.add_argument("--kept", action="store_true", help="check the programs of tests/fuzz/kept, with every compiler, instead of new ones")
     parser.add_argument("--no-reduce", action="store_true", help="do not reduce and keep what fails")
+    parser.add_argument("--spoil", action="store_true", help="put errors into the generated code: a test of this program, which must fail")
     return parser.parse_args()
 
 

@@ -90,7 +90,7 @@ class Generator:
         self.serial = 0
         self.helpers = []
         self.cost = 0  # of the function that is being made, in elementary functions
-        self.n = self.random.choice([1, 2, 2, 2, 3, 3, 3, 4])
+        self.n = self.random.choice([1, 2, 2, 2, 3, 3, 3, 4, 4, 6])
         self.by_member = self.random.random() < 0.5
         self.program = Program(name, "n" if self.by_member else str(self.n))
         self.dof = "p->n" if self.by_member else str(self.n)
@@ -120,9 +120,10 @@ class Generator:
         if self.by_member:
             members.append(Member("int", "n", [self.n]))
         members.append(Member("int", "rounds", [self.random.randint(2, 3)]))
-        members.append(Member("int", "mode", [self.random.randint(0, 2)]))
-        members.append(Member("double", "mass", [self.number() for _ in range(4)], True))
+        members.append(Member("int", "mode", [self.random.randint(1, 2)]))
+        members.append(Member("double", "mass", [self.number() for _ in range(6)], True))
         members.append(Member("double", "rest", [round(self.random.uniform(-1, 1), 2) for _ in range(self.random.randint(2, 4))], True))
+        self.program.sizes += [name for name in ("rounds", "mode") if self.chance(0.8 if name == "rounds" else 0.2)]
         self.rounds = members[-4].values[0]
         table = [str(self.number()) for _ in range(self.random.randint(2, 5))]
         self.table = Array("table", len(table), str(len(table)), False)
@@ -140,7 +141,7 @@ class Generator:
             scope.leaves.append(("t", 1.0))
             scope.targets.append("t")
         if p:
-            scope.arrays.append(Array("p->mass", 4, "4", False))
+            scope.arrays.append(Array("p->mass", 6, "6", False))
             rest = self.program.members[-1]
             scope.arrays.append(Array("p->rest", len(rest.values), str(len(rest.values)), False))
         return scope
@@ -536,7 +537,8 @@ class Generator:
         if helpers and self.chance(0.7):
             self.cost += helpers[0].cost * scope.rounds
             return [self.statement(f"{helpers[0].name}(&{u}, ", self.double(scope, 2).node, ", p);" if helpers[0].takes_p else ");")]
-        return [self.statement(f"{u} = {self.random.choice(scope.pairs)};")]
+        other = self.random.choice(scope.pairs)
+        return None if other == u else [self.statement(f"{u} = {other};")]
 
     def out_call(self, scope):
         """A helper that returns through pointers."""
@@ -614,6 +616,47 @@ class Generator:
         return [self.statement(f"double {angle} = 0.0, {x} = 0.0, {y} = 0.0;"),
                 self.statement(f"for (int {i} = 0; {i} < {self.dof}; {i}++) ", Node("block", body))]
 
+    def whole(self, scope):
+        """An integer that follows from others."""
+        others = [i.text for i in scope.integers if i.low >= 0] + (["p->mode"] if scope.has_p else [])
+        if not others:
+            return None
+        k, size, i = self.fresh("k"), self.random.randint(2, 4), self.random.choice(others)
+        scope.integers.append(Integer(k, 0, size - 1))
+        return [self.statement(f"int {k} = {self.pick(f'({i} * 3 + 1)', f'({i} + 5 >> 1)', f'(unsigned)({i} ^ 3)', f'({i} > 1 ? {i} : 7)')} % {size};")]
+
+    def pairs(self, scope):
+        """An array of structs, filled and then read through a pointer."""
+        inner = self.loop_scope(scope, 4)
+        if not inner or not scope.targets:
+            return None
+        u, w, i, size, target = self.fresh("u"), self.fresh("w"), "ijkl"[scope.loops], self.random.randint(2, 4), self.random.choice(scope.targets)
+        inner.integers.append(Integer(i, 0, size - 1))
+        x, y = self.squeeze(self.double(inner, 2), 2.0), self.squeeze(self.double(inner, 2), 2.0)
+        if self.chance(0.5):
+            fill = [self.statement(f"{u}[{i}].x = ", x.node, ";"), self.statement(f"{u}[{i}].y = {u}[{i}].x * ", y.safe, ";")]
+        else:
+            fill = [self.statement(f"{u}[{i}] = (struct pair){{.y = ", y.node, ", .x = ", x.node, "};")]
+        use = f"{target} += 0.2 * {w}->x * cos({w}->y);"
+        if self.chance(0.5):
+            read = [self.statement(f"for (struct pair *{w} = {u}; {w} < {u} + {size}; {w}++) {use}")]
+        else:
+            read = [self.statement(f"struct pair *{w} = {u} + {size};"), self.statement(f"while ({w}-- != {u}) {use}")]
+        return [self.statement(f"struct pair {u}[{size}];"), self.statement(f"for (int {i} = 0; {i} < {size}; {i}++) ", Node("block", fill))] + read
+
+    def halves(self, scope):
+        """A loop whose condition computes."""
+        if not scope.targets or not self.loop_scope(scope, 4):
+            return None
+        y, target, a = self.fresh("y"), self.random.choice(scope.targets), self.squeeze(self.double(scope, 2), 1.0)
+        return [self.statement(f"double {y} = 2.5 + ", a.node, ";"), self.statement(f"while (({y} *= 0.6) > 0.3) {target} += 0.2 * sin({y});")]
+
+    def constants(self, scope):
+        """A table that belongs to a function."""
+        name, size = self.fresh("weight"), self.random.randint(2, 4)
+        scope.arrays.append(Array(name, size, str(size), False))
+        return [self.statement(f"static const double {name}[] = {{{', '.join(str(self.number()) for _ in range(size))}}};")]
+
     def early_return(self, scope):
         if scope.result != "double" or scope.loops > 1:
             return None
@@ -636,7 +679,8 @@ class Generator:
         choices = [(self.declare, 3), (self.assign, 8), (self.counted, 3), (self.do_loop, 1), (self.endless, 0.6), (self.leave, 0.7), (self.branch, 2.5),
                    (self.switch, 0.8), (self.array, 1.5), (self.running, 1), (self.walk, 0.8), (self.queue, 0.3), (self.matrix, 0.4),
                    (self.alias, 0.5), (self.pair, 0.7), (self.change_pair, 0.7), (self.out_call, 1.5), (self.copy, 0.3), (self.newton, 0.6),
-                   (self.chain, 0.6), (self.early_return, 0.6), (self.jump, 0.3)]
+                   (self.chain, 0.6), (self.early_return, 0.6), (self.jump, 0.3),
+                   (self.whole, 0.5), (self.pairs, 0.4), (self.halves, 0.3), (self.constants, 0.3)]
         block = Node("block", [])
         methods, weights = zip(*choices)
         known = {name: len(getattr(scope, name)) for name in ("leaves", "arrays", "pairs")}
@@ -763,6 +807,8 @@ class Generator:
             scope.result = None
         body.parts += self.block(scope, self.random.randint(3, 7)).parts
         body.parts.append(self.statement("L += ", self.double(scope, 3).node, ";"))
+        i, j = self.random.randrange(self.n), self.random.randrange(self.n)
+        body.parts.append(self.statement(f"L += 0.5 * qd[{i}] * qd[{j}] * ", self.squeeze(self.double(scope, 3), 2.0).safe, ";"))
         if not first:
             body.parts.append(kinetic)
         body.parts.append(self.statement("*out = L;" if has["out"] else "return L;", fixed=True))
@@ -798,7 +844,8 @@ class Generator:
         for r in range(rows):
             lead = f"{'qd' if speeds else 'q'}[{first + r}]"
             to = f"out[{r}] = " if has["out"] else "return "
-            body.parts.append(self.statement(f"{to}{self.pick('4.0', '7.0')} * {lead} + ", self.squeeze(self.double(scope, 3), 1.0).safe, ";", fixed=True))
+            body.parts.append(self.statement(f"{to}{self.pick('4.0', '7.0')} * {lead} + {self.pick('sin', 'cos')}(q[{self.random.randrange(self.n)}] + ",
+                                             self.double(scope, 1).safe, ") * ", self.squeeze(self.double(scope, 3), 1.0).safe, ";", fixed=True))
         head = f"{'void' if has['out'] else 'double'} {name}{self.parameters(**has)}"
         self.program.functions.append(Function(name, head, body, f"--{role} {name}:{rows}", True))
 

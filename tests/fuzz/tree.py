@@ -60,6 +60,7 @@ class Program:
     def __init__(self, name, dof):
         self.name, self.dof = name, dof
         self.members, self.tables, self.functions = [], [], []
+        self.sizes = ["n"]  # integer members that motion functions know
         self.purpose = "A random program."
 
     def body(self):
@@ -83,9 +84,17 @@ class Program:
             return ""
         return " ".join(f"{m.name}=" + ",".join(repr(v) for v in m.values) for m in self.used_members())
 
+    def motion(self):
+        """The arguments of tlgen for motion functions: sizes, and members to differentiate by."""
+        taken = self.used_members() if self.params() else []
+        sizes = [f"--size {m.name}={m.values[0]}" for m in taken if m.name in self.sizes]
+        by = [m.name for m in taken if m.type_name == "double"]
+        return " ".join(sizes + ([f"--parameter {','.join(by)}"] if by else []))
+
     def __str__(self):
         text = self.body()
-        out = [f"/* {self.purpose} */", f"/* tlgen: {self.options()} */", f"/* params: {self.params()} */", "#include <math.h>"]
+        out = [f"/* {self.purpose} */", f"/* tlgen: {self.options()} */", f"/* motion: {self.motion()} */", f"/* params: {self.params()} */",
+               "#include <math.h>"]
         if "memcpy" in text:
             out.append("#include <string.h>")
         out.append("")
