@@ -13,7 +13,7 @@
 #include "hand/kernels.h"
 #include "parameters.h"
 
-enum { NP = TL_ROW(N), LD = TL_LDL_ROW(N, 1), LDB = TL_ROW(2 * N) };
+enum { NP = TL_ROW(N), LD = TL_LDL_ROW(N), LDB = TL_ROW(2 * N) };
 
 #ifdef REGISTERS
 #define EACH TL_UNROLL
@@ -28,8 +28,8 @@ enum { NP = TL_ROW(N), LD = TL_LDL_ROW(N, 1), LDB = TL_ROW(2 * N) };
 
 /* What F, J and V share at one state. */
 typedef struct frame {
-  double C[NP], S[NP], mu[NP], w2[NP]; /* w2 = qd^2 */
-  double M[N * LD], dinv[NP];          /* [M | -r at qdd = 0], then its factors */
+  double C[NP], S[NP], mu[NP], w2[NP];        /* w2 = qd^2 */
+  double M[N * LD], dinv[TL_LDL_DIAGONAL(N)]; /* M, then its factors */
 } frame;
 
 /* X_i = sum_{k>=i} m_k sum_{j<=k} f_j. */
@@ -66,10 +66,9 @@ TL_INLINE void accelerate(const struct pendulum *p, const double *q, const doubl
   EACH for (int j = 0; j < NP; j++) PC[j] = z->mu[j] * z->C[j], PS[j] = z->mu[j] * z->S[j];
   EACH for (int i = 0; i < N; i++) {
     EACH for (int j = FIRST_COLUMN(i); j < END_COLUMN(N, NP); j++) z->M[i * LD + j] = z->C[i] * PC[j] + z->S[i] * PS[j];
-    z->M[i * LD + N] = -(z->C[i] * X[i] + z->S[i] * (Y[i] + z->mu[i] * p->g));
+    qdd[i] = -(z->C[i] * X[i] + z->S[i] * (Y[i] + z->mu[i] * p->g));
   }
-  hand_factor(N, z->M, LD, z->dinv);
-  hand_appended(N, qdd, z->M, LD, z->dinv);
+  hand_factor_solve(N, qdd, z->M, LD, z->dinv);
 }
 
 static int acceleration(void *self, const double *restrict q, const double *restrict qd, double *restrict qdd) {

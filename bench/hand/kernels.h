@@ -54,15 +54,15 @@ TL_INLINE void hand_sincos(int n, const double *x, double *s, double *c) {
   }
 }
 
-/* [M | b] becomes D and L (unit, by rows of L') with (L D)^-1 b beside it. */
+/* M becomes D and L (unit, by rows of L'). */
 TL_INLINE void hand_factor(int n, double *w, int ld, double *dinv) {
   TL_UNROLL for (int i = 0; i < n; i++) {
     dinv[i] = 1.0 / w[i * ld + i];
     TL_UNROLL for (int p = i + 1; p < n; p++) {
       double l = w[i * ld + p] * dinv[i];
-      TL_UNROLL for (int j = p; j <= n; j++) w[p * ld + j] -= l * w[i * ld + j];
+      TL_UNROLL for (int j = p; j < n; j++) w[p * ld + j] -= l * w[i * ld + j];
     }
-    TL_UNROLL for (int j = i + 1; j <= n; j++) w[i * ld + j] *= dinv[i];
+    TL_UNROLL for (int j = i + 1; j < n; j++) w[i * ld + j] *= dinv[i];
   }
 }
 
@@ -70,16 +70,15 @@ TL_INLINE void hand_back(int n, double *x, const double *w, int ld) {
   TL_UNROLL for (int i = n - 1; i > 0; i--) TL_UNROLL for (int j = 0; j < i; j++) x[j] -= w[j * ld + i] * x[i];
 }
 
-TL_INLINE void hand_appended(int n, double *x, const double *w, int ld, const double *dinv) {
-  (void)dinv;
-  TL_UNROLL for (int i = 0; i < n; i++) x[i] = w[i * ld + n];
-  hand_back(n, x, w, ld);
-}
-
 TL_INLINE void hand_solve(int n, double *x, const double *w, int ld, const double *dinv) {
   TL_UNROLL for (int i = 0; i < n; i++) TL_UNROLL for (int j = i + 1; j < n; j++) x[j] -= w[i * ld + j] * x[i];
   TL_UNROLL for (int i = 0; i < n; i++) x[i] *= dinv[i];
   hand_back(n, x, w, ld);
+}
+
+TL_INLINE void hand_factor_solve(int n, double *x, double *w, int ld, double *dinv) {
+  hand_factor(n, w, ld, dinv);
+  hand_solve(n, x, w, ld, dinv);
 }
 
 #if COLUMNS == 1
@@ -107,16 +106,11 @@ TL_INLINE void hand_solve_many(int n, int k, double *b, int ldb, const double *w
 
 TL_INLINE void hand_sincos(int n, const double *x, double *s, double *c) { tl_sincos_array(n, x, s, c); }
 
-TL_INLINE void hand_factor(int n, double *w, int ld, double *dinv) { (void)tl_ldl_factor(n, 1, w, ld, dinv); }
+TL_INLINE void hand_factor_solve(int n, double *x, double *w, int ld, double *dinv) { (void)tl_ldl_factor_solve(n, x, w, ld, dinv, x); }
 
-TL_INLINE void hand_appended(int n, double *x, const double *w, int ld, const double *dinv) {
-  (void)dinv;
-  tl_ldl_appended(n, x, w, ld, 0);
-}
+TL_INLINE void hand_solve(int n, double *x, const double *w, int ld, double *dinv) { tl_ldl_solve(n, x, w, ld, dinv, x); }
 
-TL_INLINE void hand_solve(int n, double *x, const double *w, int ld, const double *dinv) { tl_ldl_solve(n, x, w, ld, dinv, x); }
-
-TL_INLINE void hand_solve_many(int n, int k, double *b, int ldb, const double *w, int ld, const double *dinv) {
+TL_INLINE void hand_solve_many(int n, int k, double *b, int ldb, const double *w, int ld, double *dinv) {
   tl_ldl_solve_many(n, k, b, ldb, w, ld, dinv);
 }
 

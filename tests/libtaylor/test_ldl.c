@@ -8,15 +8,15 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { LARGEST = 64, LD = TL_LDL_ROW(LARGEST, 2), MANY = 13, LDB = TL_ROW(MANY) };
+enum { LARGEST = 64, LD = TL_LDL_ROW(LARGEST) };
 
 /* Backward errors in units of n*TL_EPSILON*|M||x|: the textbook bound is about 3. */
 static const double BACKWARD = 3.0;
 
 typedef struct ldl_case {
   int n;
-  tl_real m[LARGEST][LARGEST];            /* the matrix, both triangles */
-  tl_real w[LARGEST * LD], dinv[LARGEST]; /* what is factored */
+  tl_real m[LARGEST][LARGEST];                          /* the matrix, both triangles */
+  tl_real w[LARGEST * LD], d[TL_LDL_DIAGONAL(LARGEST)]; /* what is factored */
 } ldl_case;
 
 /* M = G'G + shift with n columns of numbers in [-1,1), column i times scale^i. */
@@ -60,28 +60,60 @@ static void assert_solved(const ldl_case *c, const tl_real *x, int xs, const tl_
   }
 }
 
-static tl_real factor_and_check(ldl_case *c, rng *r) {
-  const int n = c->n, ld = TL_LDL_ROW(n, 2);
-  tl_real b[2][LARGEST], x[LARGEST], more[LARGEST], many[LARGEST * LDB], right[LARGEST * LDB];
+/* The functions with each size as a constant, as they are meant to be called. Above TL_LDL_UNROLLED only n % 8 matters. */
+enum { MANY = 13, FEW = 3, LDB = TL_ROW(MANY) };
+#define SIZES(X) X(1) X(2) X(3) X(4) X(5) X(6) X(7) X(8) X(9) X(11) X(12) X(14) X(17) X(19) X(64)
+
+typedef struct ldl_functions {
+  int n;
+  tl_real (*factor_solve)(tl_real *x, tl_real *w, tl_real *d, const tl_real *b);
+  tl_real (*factor)(tl_real *w, tl_real *d);
+  void (*solve)(tl_real *x, const tl_real *w, tl_real *d, const tl_real *b);
+  void (*solve_few)(tl_real *b, const tl_real *w, tl_real *d);
+  void (*solve_many)(tl_real *b, const tl_real *w, tl_real *d);
+} ldl_functions;
+
+#define INSTANCE(n)                                                                                                                    \
+  static tl_real factor_solve_##n(tl_real *x, tl_real *w, tl_real *d, const tl_real *b) {                                              \
+    return tl_ldl_factor_solve(n, x, w, TL_LDL_ROW(n), d, b);                                                                          \
+  }                                                                                                                                    \
+  static tl_real factor_##n(tl_real *w, tl_real *d) { return tl_ldl_factor(n, w, TL_LDL_ROW(n), d); }                                  \
+  static void solve_##n(tl_real *x, const tl_real *w, tl_real *d, const tl_real *b) { tl_ldl_solve(n, x, w, TL_LDL_ROW(n), d, b); }    \
+  static void solve_few_##n(tl_real *b, const tl_real *w, tl_real *d) { tl_ldl_solve_many(n, FEW, b, LDB, w, TL_LDL_ROW(n), d); }      \
+  static void solve_many_##n(tl_real *b, const tl_real *w, tl_real *d) { tl_ldl_solve_many(n, MANY, b, LDB, w, TL_LDL_ROW(n), d); }
+SIZES(INSTANCE)
+
+#define ENTRY(n) {n, factor_solve_##n, factor_##n, solve_##n, solve_few_##n, solve_many_##n},
+static const ldl_functions functions[] = {SIZES(ENTRY)};
+enum { NSIZE = sizeof functions / sizeof *functions };
+
+static void check_many(const ldl_case *c, rng *r, int k, void (*solve)(tl_real *, const tl_real *, tl_real *), tl_real *d) {
+  static tl_real many[LARGEST * LDB], right[LARGEST * LDB];
+  for (int i = 0; i < c->n * LDB; i++) right[i] = many[i] = i % LDB < k ? (tl_real)rng_uniform(r, -1.0, 1.0) : (tl_real)NAN;
+  solve(many, c->w, d);
+  for (int j = 0; j < k; j++) assert_solved(c, many + j, LDB, right + j, LDB, "many");
+}
+
+/* All that ldl.h does, with one matrix; the pivot ratio. */
+static tl_real factor_and_check(ldl_case *c, rng *r, const ldl_functions *f) {
+  const int n = c->n, ld = TL_LDL_ROW(n);
+  tl_real b[LARGEST], x[LARGEST];
+  draw(r, b, n);
   fill(c, ld);
-  for (int a = 0; a < 2; a++) {
-    draw(r, b[a], n);
-    for (int i = 0; i < n; i++) c->w[i * ld + n + a] = b[a][i];
-  }
-  const tl_real ratio = tl_ldl_factor(n, 2, c->w, ld, c->dinv);
+  const tl_real both = f->factor_solve(x, c->w, c->d, b);
+  if (both > TL_C(0.0)) assert_solved(c, x, 1, b, 1, "factor and solve");
+  fill(c, ld);
+  const tl_real ratio = f->factor(c->w, c->d);
+  assert_close(both, ratio, 4.0 * TL_EPSILON, 0.0);
   if (!(ratio > TL_C(0.0))) return ratio;
-  for (int a = 0; a < 2; a++) {
-    tl_ldl_appended(n, x, c->w, ld, a);
-    assert_solved(c, x, 1, b[a], 1, "appended");
+  for (int again = 0; again < 2; again++) {
+    draw(r, b, n);
+    memcpy(x, b, sizeof x);
+    f->solve(x, c->w, c->d, x);
+    assert_solved(c, x, 1, b, 1, "solve");
   }
-  draw(r, more, n);
-  tl_ldl_solve(n, x, c->w, ld, c->dinv, more);
-  assert_solved(c, x, 1, more, 1, "one");
-  for (int k = 1; k <= MANY; k += 4) {
-    for (int i = 0; i < n * LDB; i++) right[i] = many[i] = i % LDB < k ? (tl_real)rng_uniform(r, -1.0, 1.0) : (tl_real)NAN;
-    tl_ldl_solve_many(n, k, many, LDB, c->w, ld, c->dinv);
-    for (int j = 0; j < k; j++) assert_solved(c, many + j, LDB, right + j, LDB, "many");
-  }
+  check_many(c, r, FEW, f->solve_few, c->d);
+  check_many(c, r, MANY, f->solve_many, c->d);
   return ratio;
 }
 
@@ -90,19 +122,19 @@ static ldl_case the_case;
 static void every_size_is_solved(void **state) {
   (void)state;
   rng r = {1};
-  for (int n = 1; n <= LARGEST; n++)
+  for (int i = 0; i < NSIZE; i++)
     for (int k = 0; k < 5; k++) {
-      draw_matrix(&the_case, &r, n, 1.0, k == 0 ? 1.0 : 0.0);
-      assert_true(factor_and_check(&the_case, &r) > TL_C(0.0));
+      draw_matrix(&the_case, &r, functions[i].n, 1.0, k == 0 ? 1.0 : 0.0);
+      assert_true(factor_and_check(&the_case, &r, &functions[i]) > TL_C(0.0));
     }
 }
 
 static void badly_scaled_matrices_are_solved(void **state) {
   (void)state;
   rng r = {2};
-  for (int n = 1; n <= LARGEST; n++) {
-    draw_matrix(&the_case, &r, n, 0.7, 0.0);
-    (void)factor_and_check(&the_case, &r);
+  for (int i = 0; i < NSIZE; i++) {
+    draw_matrix(&the_case, &r, functions[i].n, 0.7, 0.0);
+    (void)factor_and_check(&the_case, &r, &functions[i]);
   }
 }
 
@@ -110,12 +142,12 @@ static void badly_scaled_matrices_are_solved(void **state) {
 static void other_matrices_have_no_pivot_ratio(void **state) {
   (void)state;
   rng r = {3};
-  for (int n = 1; n <= LARGEST; n++)
-    for (int i = 0; i < n; i++) {
+  for (int s = 0; s < NSIZE; s++)
+    for (int i = 0; i < functions[s].n; i++) {
       static const double less[] = {1.0, 1e3, 1e-3};
-      const int last = n - 1;
+      const int n = functions[s].n;
       draw_matrix(&the_case, &r, n, 1.0, 1.0);
-      tl_real *entry = i == last ? &the_case.m[last][last] : &the_case.m[i][i];
+      tl_real *entry = &the_case.m[i][i];
       switch (rng_below(&r, 4)) {
       case 0:
         *entry = (tl_real)(-less[rng_below(&r, 3)] * fabs((double)*entry));
@@ -129,19 +161,19 @@ static void other_matrices_have_no_pivot_ratio(void **state) {
       default:
         for (int j = 0; j < n; j++) the_case.m[i][j] = the_case.m[j][i] = TL_C(0.0);
       }
-      assert_same(factor_and_check(&the_case, &r), 0.0);
+      assert_same(factor_and_check(&the_case, &r, &functions[s]), 0.0);
     }
 }
 
-/* D diagonal: ratio 1. Hilbert's matrix: the exact last pivot over its diagonal entry. */
+/* 1 for a diagonal matrix. */
 static void pivot_ratio_is_what_the_header_says(void **state) {
   (void)state;
-  for (int n = 1; n <= LARGEST; n++) {
-    the_case.n = n;
+  for (int s = 0; s < NSIZE; s++) {
+    const int n = the_case.n = functions[s].n;
     memset(the_case.m, 0, sizeof the_case.m);
     for (int i = 0; i < n; i++) the_case.m[i][i] = (tl_real)(i + 1);
-    fill(&the_case, TL_LDL_ROW(n, 0));
-    assert_close(tl_ldl_factor(n, 0, the_case.w, TL_LDL_ROW(n, 0), the_case.dinv), 1.0, 2.0 * TL_EPSILON, 0.0);
+    fill(&the_case, TL_LDL_ROW(n));
+    assert_close(functions[s].factor(the_case.w, the_case.d), 1.0, 2.0 * TL_EPSILON, 0.0);
   }
 }
 

@@ -30,7 +30,7 @@
 
 namespace {
 
-enum { NY = 2 * N, LD = TL_LDL_ROW(N, 1), LDY = TL_ROW(NY), BUFFER = 1 << 16 };
+enum { NY = 2 * N, LD = TL_LDL_ROW(N), LDY = TL_ROW(NY), BUFFER = 1 << 16 };
 
 /* ADOL-C allocates this many numbers in each sweep, and goes to a file where they do not last. */
 enum { TAYLORS = 100 * N * (1 + 2 * (PATHS > N ? PATHS : N + 1)) };
@@ -58,7 +58,7 @@ struct sweep {
 struct chain {
   struct MODEL parameters;
   sweep motion, columns, one; /* for F, J and V */
-  double y[NY], M[N * LD], dinv[LD], dr[N * LDY], along[LD];
+  double y[NY], M[N * LD], dinv[TL_LDL_DIAGONAL(N)], dr[N * LDY], along[LD];
   explicit chain(const struct MODEL &p) : parameters(p), motion(1, N + 1), columns(2, PATHS), one(2, 2) {}
 };
 
@@ -82,11 +82,9 @@ int acceleration(void *self, const double *q, const double *qd, double *qdd) {
   c.motion.run(c.y);
   for (int i = 0; i < N; i++) {
     for (int j = i; j < N; j++) c.M[i * LD + j] = c.motion.out[j][N + i][1];
-    c.M[i * LD + N] = c.motion.out[N][i][0] - c.motion.out[N][N + i][1];
+    qdd[i] = c.motion.out[N][i][0] - c.motion.out[N][N + i][1];
   }
-  if (!(tl_ldl_factor(N, 1, c.M, LD, c.dinv) > 0.0)) return 1;
-  tl_ldl_appended(N, qdd, c.M, LD, 0);
-  return 0;
+  return !(tl_ldl_factor_solve(N, qdd, c.M, LD, c.dinv, qdd) > 0.0);
 }
 
 /* h: of the size of v, so that the difference of two paths loses no digits. */

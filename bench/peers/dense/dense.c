@@ -18,7 +18,7 @@
 
 extern const eom_model JOIN(MODEL, _model);
 
-enum { X = 0, U = N, NY = 2 * N, LD = TL_LDL_ROW(N, 1), LDY = TL_ROW(NY) };
+enum { X = 0, U = N, NY = 2 * N, LD = TL_LDL_ROW(N), LDY = TL_ROW(NY) };
 
 /* The Lagrangian in one complete shape, with derivatives in place of coefficients: derivative = weight * coefficient. */
 typedef struct evaluation {
@@ -31,9 +31,9 @@ typedef struct evaluation {
 typedef struct chain {
   struct MODEL parameters;
   evaluation second, third;
-  unsigned *place;               /* N x 2 x NY x N: of y_k u_i (u_j, x_j), all j beside each other, in a jet of third order */
-  double M[N * LD], dinv[LD];    /* [M | Q], then its factors */
-  double dr[N * LDY], along[LD]; /* -dr/dy, -dr/dy w */
+  unsigned *place; /* N x 2 x NY x N: of y_k u_i (u_j, x_j), all j beside each other, in a jet of third order */
+  double M[N * LD], dinv[TL_LDL_DIAGONAL(N)]; /* M, then its factors */
+  double dr[N * LDY], along[LD];              /* -dr/dy, -dr/dy w */
 } chain;
 
 static void *memory(size_t bytes) {
@@ -79,7 +79,7 @@ static int evaluate(chain *c, evaluation *e, const double *q, const double *qd) 
 /* The place of y_i y_j, i <= j. */
 static int pair(const tl_shape *s, int i, int j) { return s->start[2] + i * NY - i * (i - 1) / 2 + j - i; }
 
-/* [M | Q] and from it qdd. */
+/* M and Q, and from them qdd. */
 static int solve_motion(chain *c, const evaluation *e, const double *qd, double *qdd) {
   const tl_shape *s = &e->shape;
   const double *gradient = e->L + s->start[1];
@@ -87,11 +87,9 @@ static int solve_motion(chain *c, const evaluation *e, const double *qd, double 
     double Q = gradient[X + i];
     for (int j = 0; j < N; j++) Q -= e->L[pair(s, X + j, U + i)] * qd[j];
     for (int j = i; j < N; j++) c->M[i * LD + j] = e->L[pair(s, U + i, U + j)];
-    c->M[i * LD + N] = Q;
+    qdd[i] = Q;
   }
-  if (!(tl_ldl_factor(N, 1, c->M, LD, c->dinv) > 0.0)) return 1;
-  tl_ldl_appended(N, qdd, c->M, LD, 0);
-  return 0;
+  return !(tl_ldl_factor_solve(N, qdd, c->M, LD, c->dinv, qdd) > 0.0);
 }
 
 /* c->dr = -dr/dy. */

@@ -1,17 +1,34 @@
 /* What the header-only kernels (ldl.h, sincos_array.h, row.h) share: inlining, unrolling, vectors of numbers, padded rows.
  *
- * Kernels are functions of sizes that are constants where they are called, and nothing of a loop over such a size is left after
- * compilation with optimisation. Compilers other than gcc and clang, and all with -DTL_NO_VECTORS, get the same formulas in plain C. */
+ * Kernels are functions of sizes that are constants where they are called; an optimising compiler leaves no loop over a small size, and
+ * no array of the caller's that has no other use. Other compilers than gcc and clang, and all with -DTL_NO_VECTORS, get the same
+ * formulas without vectors. */
 #ifndef TAYLOR_KERNEL_H
 #define TAYLOR_KERNEL_H
 
 #include "taylor/real.h"
 
-#if defined(__GNUC__) || defined(__clang__)
+#if defined(__OPTIMIZE__) /* gcc's and clang's */
 #define TL_INLINE static inline __attribute__((always_inline))
-#define TL_UNROLL _Pragma("GCC unroll 64")
 #else
 #define TL_INLINE static inline
+#endif
+
+/* TL_VECTORS is 1 where there are vectors: of four numbers, whatever the processor has (an operation is then one or several
+ * instructions), and of TL_VECTOR numbers, the processor's widest. */
+#if !defined(TL_NO_VECTORS) && defined(__has_builtin)
+#if __has_builtin(__builtin_shufflevector)
+#define TL_VECTORS 1
+#endif
+#endif
+#ifndef TL_VECTORS
+#define TL_VECTORS 0
+#endif
+
+/* Before a loop whose length is a small constant. */
+#if TL_VECTORS
+#define TL_UNROLL _Pragma("GCC unroll 64")
+#else
 #define TL_UNROLL
 #endif
 
@@ -19,5 +36,23 @@
  * length that holds n numbers. Kernels are fastest where rows start at a multiple of TL_ROW_PAD numbers in memory; none needs it. */
 #define TL_ROW_PAD 8
 #define TL_ROW(n) (((n) + TL_ROW_PAD - 1) / TL_ROW_PAD * TL_ROW_PAD)
+
+#ifndef TL_VECTOR
+#if defined(__AVX512F__)
+#define TL_VECTOR 8
+#elif defined(__AVX__)
+#define TL_VECTOR 4
+#else
+#define TL_VECTOR 2
+#endif
+#endif
+
+#if TL_VECTORS
+/* They may stand at any address of a number. */
+#define TL_VECTOR_OF(n) __attribute__((vector_size((n) * sizeof(tl_real)), aligned(sizeof(tl_real)), may_alias))
+typedef tl_real tl_v4 TL_VECTOR_OF(4);
+#define TL_V4(address) (*(tl_v4 *)(address))
+#define TL_V4_CONST(address) (*(const tl_v4 *)(address))
+#endif
 
 #endif
