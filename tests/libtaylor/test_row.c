@@ -11,21 +11,41 @@ static void draw(rng *r, tl_real *row, int n) {
   for (int j = 0; j < n; j++) row[j] = (tl_real)rng_uniform(r, -1.0, 1.0);
 }
 
-static void prefix_is_added_and_the_rest_kept(void **state) {
+enum { ALL = TL_ROW(LONGEST) + GUARD };
+
+/* Rows d, x, y of ALL numbers, x and y NaN from n on, and d as it was. */
+typedef struct rows {
+  tl_real d[ALL], before[ALL], x[ALL], y[ALL], a, b;
+} rows;
+
+static void draw_rows(rows *z, rng *r, int n) {
+  draw(r, z->d, ALL);
+  draw(r, z->x, ALL);
+  draw(r, z->y, ALL);
+  for (int j = n; j < ALL; j++) z->x[j] = z->y[j] = (tl_real)NAN;
+  for (int j = 0; j < ALL; j++) z->before[j] = z->d[j];
+  z->a = (tl_real)rng_uniform(r, -2.0, 2.0);
+  z->b = (tl_real)rng_uniform(r, -2.0, 2.0);
+}
+
+static const double ROUNDING = 8.0 * TL_EPSILON; /* of three products below 2 and their sum */
+
+static void prefix_is_changed_and_the_rest_kept(void **state) {
   (void)state;
+  static rows z;
   rng r = {1};
-  for (int n = 0; n <= LONGEST; n++) {
-    tl_real d[TL_ROW(LONGEST) + GUARD], before[TL_ROW(LONGEST) + GUARD], x[TL_ROW(LONGEST) + GUARD];
-    const int all = TL_ROW(LONGEST) + GUARD;
-    draw(&r, d, all);
-    draw(&r, x, all);
-    for (int j = n; j < all; j++) x[j] = (tl_real)NAN;
-    for (int j = 0; j < all; j++) before[j] = d[j];
-    const tl_real m = (tl_real)rng_uniform(&r, -2.0, 2.0);
-    tl_row_add_prefix(d, x, m, n);
-    for (int j = 0; j < n; j++) assert_close(d[j], before[j] + m * x[j], 0.0, 4.0 * TL_EPSILON);
-    for (int j = n; j < all; j++) assert_same(d[j], before[j]);
-  }
+  for (int n = 0; n <= LONGEST; n++)
+    for (int what = 0; what < 3; what++) {
+      draw_rows(&z, &r, n);
+      if (what == 0) tl_row_add_prefix(z.d, z.x, z.a, n);
+      if (what == 1) tl_row_set_prefix(z.d, z.x, z.a, n);
+      if (what == 2) tl_row_add_two(z.d, z.x, z.a, z.y, z.b, n);
+      for (int j = 0; j < n; j++) {
+        const double sum = (what == 1 ? 0.0 : z.before[j]) + (double)z.a * z.x[j] + (what == 2 ? (double)z.b * z.y[j] : 0.0);
+        assert_close(z.d[j], sum, 0.0, ROUNDING);
+      }
+      for (int j = n; j < ALL; j++) assert_same(z.d[j], z.before[j]);
+    }
 }
 
 static void row_may_be_added_to_itself(void **state) {
@@ -38,7 +58,7 @@ static void row_may_be_added_to_itself(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(prefix_is_added_and_the_rest_kept),
+      cmocka_unit_test(prefix_is_changed_and_the_rest_kept),
       cmocka_unit_test(row_may_be_added_to_itself),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -90,6 +90,29 @@ static void arguments_near_multiples_of_a_quarter_turn(void **state) {
   assert_bounded(&w, "near multiples of pi/2");
 }
 
+/* x[2].. from x[0] and x[1]: larger and smaller neighbours of both. */
+static void add_neighbours(tl_real *x) {
+  for (int i = 2; i < LONGEST; i++) x[i] = TL_LIBM(nextafter)(x[i < 6 ? i % 2 : i - 4], i % 4 < 2 ? TL_MAX : -TL_MAX);
+}
+
+/* Powers of two and their neighbours, and those of the largest number for vectors. */
+static void arguments_near_round_numbers(void **state) {
+  (void)state;
+  worst w = {0};
+  for (int e = -30; e < 60; e++) {
+    tl_real x[LONGEST];
+    x[0] = (tl_real)ldexp(1.0, e), x[1] = -x[0];
+    add_neighbours(x);
+    check(x, LONGEST, &w);
+  }
+#ifdef TL_SINCOS_LIMIT
+  tl_real x[LONGEST] = {-TL_SINCOS_LIMIT, TL_SINCOS_LIMIT};
+  add_neighbours(x);
+  check(x, LONGEST, &w);
+#endif
+  assert_bounded(&w, "near round numbers");
+}
+
 /* The bits of a number alone are those in any place of an array of any length, among numbers of any size. */
 static void place_and_company_do_not_matter(void **state) {
   (void)state;
@@ -150,6 +173,7 @@ int main(int argc, char **argv) {
       cmocka_unit_test(arguments_of_every_size),
       cmocka_unit_test(arguments_of_mechanisms),
       cmocka_unit_test(arguments_near_multiples_of_a_quarter_turn),
+      cmocka_unit_test(arguments_near_round_numbers),
       cmocka_unit_test(place_and_company_do_not_matter),
       cmocka_unit_test(special_values_are_those_of_the_library),
       cmocka_unit_test(results_may_replace_arguments),

@@ -14,8 +14,8 @@
 #define TL_INLINE static inline
 #endif
 
-/* TL_VECTORS is 1 where there are vectors: of four numbers, whatever the processor has (an operation is then one or several
- * instructions), and of TL_VECTOR numbers, the processor's widest. */
+/* TL_VECTORS is 1 where there are vectors. All are of four numbers, whatever the processor has: an operation is then one instruction or
+ * two. Eight at a time are no faster on the processors that work on them in two halves, and slow down the scalar code between them. */
 #if !defined(TL_NO_VECTORS) && defined(__has_builtin)
 #if __has_builtin(__builtin_shufflevector)
 #define TL_VECTORS 1
@@ -37,20 +37,9 @@
 #define TL_ROW_PAD 8
 #define TL_ROW(n) (((n) + TL_ROW_PAD - 1) / TL_ROW_PAD * TL_ROW_PAD)
 
-#ifndef TL_VECTOR
-#if defined(__AVX512F__)
-#define TL_VECTOR 8
-#elif defined(__AVX__)
-#define TL_VECTOR 4
-#else
-#define TL_VECTOR 2
-#endif
-#endif
-
 #if TL_VECTORS
-/* They may stand at any address of a number. */
-#define TL_VECTOR_OF(n) __attribute__((vector_size((n) * sizeof(tl_real)), aligned(sizeof(tl_real)), may_alias))
-typedef tl_real tl_v4 TL_VECTOR_OF(4);
+/* Four numbers beside each other in memory, at any place. */
+typedef tl_real tl_v4 __attribute__((vector_size(4 * sizeof(tl_real)), aligned(sizeof(tl_real)), may_alias));
 #define TL_V4(address) (*(tl_v4 *)(address))
 #define TL_V4_CONST(address) (*(const tl_v4 *)(address))
 #endif
