@@ -135,9 +135,19 @@ TL_INLINE void tl_ldl_store(int rows, const tl_ldl_tile *t, tl_real *w, int ld) 
   if (rows > 3) TL_V4(w + 3 * ld) = t->r3;
 }
 
+/* gcc would load a vector that four sums use four times, and loads are what limits them. */
+#if defined(__GNUC__) && !defined(__clang__) && defined(__AVX512VL__)
+#define TL_LDL_IN_REGISTER(vector) __asm__("" : "+v"(vector))
+#elif defined(__GNUC__) && !defined(__clang__) && defined(__AVX__)
+#define TL_LDL_IN_REGISTER(vector) __asm__("" : "+x"(vector))
+#else
+#define TL_LDL_IN_REGISTER(vector) ((void)0)
+#endif
+
 /* t -= l x: row i less l[i*step] times the row x. */
 TL_INLINE void tl_ldl_less_row(int rows, tl_ldl_tile *t, const tl_real *l, int step, const tl_real *x) {
-  const tl_v4 row = TL_V4_CONST(x);
+  tl_v4 row = TL_V4_CONST(x);
+  TL_LDL_IN_REGISTER(row);
   t->r0 -= l[0] * row;
   if (rows > 1) t->r1 -= l[step] * row;
   if (rows > 2) t->r2 -= l[2 * step] * row;
@@ -280,7 +290,10 @@ TL_INLINE void tl_ldl_rows(int n, int rows, tl_real *w, int ld, tl_real *d, int 
   tl_ldl_tile t, right;
   tl_ldl_load(rows, &t, wi + i, ld);
   if (more) tl_ldl_load(4, &right, wi + i + 4, ld);
-  tl_ldl_less_rows(n <= TL_LDL_UNROLLED, rows, &t, more ? &right : NULL, wi, ld, 1, w + i, ld, i);
+  if (more)
+    tl_ldl_less_rows(n <= TL_LDL_UNROLLED, 4, &t, &right, wi, ld, 1, w + i, ld, i);
+  else
+    tl_ldl_less_rows(n <= TL_LDL_UNROLLED, rows, &t, NULL, wi, ld, 1, w + i, ld, i);
   const tl_ldl_block f = tl_ldl_pivots(rows, &t);
   tl_ldl_keep(rows, &f, wi + i, ld, d + i);
   tl_ldl_extend(range, f.d0, entry0);
