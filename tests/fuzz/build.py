@@ -16,6 +16,8 @@ CONFIGURATIONS = {
 # What motion functions are printed with: by turns.
 VARIANTS = ["", "--form registers", "--form rows"]
 WARNINGS = ["-std=c11", "-Wall", "-Wextra", "-Wconversion", "-Werror", "-Wno-unused-but-set-variable"]
+# How the plain C in quad precision is compiled: a call in each basic block.
+FOLLOWED = ["gcc", "-w", "-O0", "-fsanitize-coverage=trace-pc"]
 SECONDS = 600
 
 
@@ -92,9 +94,8 @@ class Builder:
         for p in programs:
             if self.spoiled:
                 self.spoil(p, folder)
-            generated = run([*CONFIGURATIONS[configuration], *WARNINGS, *self.includes, "-c", f"{p.name}_tl.c", "-o", f"{p.name}_tl.o"], folder)
-            plain = run(["gcc", "-w", "-O0", "-fsanitize-coverage=trace-pc", f"-Dmain={p.name}_test", *self.includes, "-c", f"{p.name}_selftest.c",
-                         "-o", f"{p.name}_selftest.o"], folder)
+            generated = run([*CONFIGURATIONS[configuration], *WARNINGS, *self.includes, "-c", f"{p.name}_tl.c"], folder)
+            plain = run([*FOLLOWED, f"-Dmain={p.name}_test", *self.includes, "-c", f"{p.name}_selftest.c"], folder)
             for done in (generated, plain):
                 if done.returncode != 0:
                     errors = [line for line in done.stderr.splitlines() if "error" in line] or done.stderr.splitlines()

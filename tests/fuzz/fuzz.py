@@ -59,8 +59,8 @@ class Tally:
     def print(self):
         total = sum(self.programs.values())
         print(f"{total} programs ({', '.join(f'{count} {name}' for name, count in sorted(self.programs.items()))}), "
-              f"{self.points['points']} points, {self.points['solved']} of them with accelerations; left out {self.points['rough']} near a kink "
-              f"and {self.points['large']} with numbers too large")
+              f"{self.points['points']} points, {self.points['solved']} of them with accelerations; "
+              f"left out {self.points['rough']} near a kink and {self.points['large']} with numbers too large")
         print(f"{self.points['motions']} programs have motion functions")
         for why, count in self.unsuitable.most_common():
             print(f"  {count} have none: {why}")
@@ -189,7 +189,7 @@ def parse():
     parser.add_argument("--count", type=int, default=2000, help="number of programs (default 2000)")
     parser.add_argument("--seed", default="1", help="the same seed makes the same programs (default 1)")
     parser.add_argument("--jobs", type=int, default=2, help="batches at a time (default 2)")
-    parser.add_argument("--kept", action="store_true", help="check the programs of tests/fuzz/kept, with every compiler, instead of new ones")
+    parser.add_argument("--kept", action="store_true", help="check the programs of tests/fuzz/kept instead of new ones")
     parser.add_argument("--no-reduce", action="store_true", help="do not reduce and keep what fails")
     parser.add_argument("--spoil", action="store_true", help="put errors into the generated code: a test of this program, which must fail")
     return parser.parse_args()

@@ -93,8 +93,8 @@ class Program:
 
     def __str__(self):
         text = self.body()
-        out = [f"/* {self.purpose} */", f"/* tlgen: {self.options()} */", f"/* motion: {self.motion()} */", f"/* params: {self.params()} */",
-               "#include <math.h>"]
+        comments = [self.purpose, f"tlgen: {self.options()}", f"motion: {self.motion()}", f"params: {self.params()}"]
+        out = [f"/* {comment} */" for comment in comments] + ["#include <math.h>"]
         if "memcpy" in text:
             out.append("#include <string.h>")
         out.append("")
