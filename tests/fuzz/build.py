@@ -1,6 +1,7 @@
 """From programs to numbers: tlgen, compilers, and one executable per batch."""
 import os
 import re
+import signal
 import subprocess
 
 # How the generated code is compiled; a batch takes one of them. What DESIGN warns of, vectorised straight-line code, is switched off.
@@ -18,7 +19,11 @@ VARIANTS = ["", "--form registers", "--form rows"]
 WARNINGS = ["-std=c11", "-Wall", "-Wextra", "-Wconversion", "-Werror", "-Wno-unused-but-set-variable"]
 # How the plain C in quad precision is compiled: a call in each basic block.
 FOLLOWED = ["gcc", "-w", "-O0", "-fsanitize-coverage=trace-pc"]
-SECONDS = 600
+# Of the processor's time, for one program: what takes longer has gone astray.
+SECONDS_TO_GENERATE = 10
+SECONDS_TO_COMPILE = 60
+# Bytes of generated code beyond which it is compiled without optimisation, whose time grows faster than the code.
+LARGE = 100000
 
 
 class Result:
@@ -37,16 +42,30 @@ class Result:
         return {(way, re.sub(r"[\[:(].*|[0-9]+", "", text).strip()) for way, text in self.faults}
 
 
-def run(command, folder, **more):
-    """In a session of its own: who stops the run at the terminal does not stop what is half done."""
-    more["start_new_session"] = True
-    return subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=SECONDS, check=False, **more)
+def run(command, folder, seconds=600, **more):
+    """Runs a command with a limit of processor time, in a session of its own: who stops the run at the terminal does not stop what is half
+    done."""
+    limited = ["bash", "-c", f'ulimit -t {seconds}; exec "$@"', "bash", *command]
+    return subprocess.run(limited, cwd=folder, capture_output=True, text=True, check=False, start_new_session=True, **more)
+
+
+def too_long(done):
+    return -done.returncode in (signal.SIGXCPU, signal.SIGKILL)
+
+
+def first_error(done):
+    """The first line that says what went wrong."""
+    if done.returncode < 0:
+        return "takes too long" if too_long(done) else f"crashes with signal {-done.returncode}"
+    errors = [line for line in done.stderr.splitlines() if "error" in line] or done.stderr.splitlines() or [f"exit status {done.returncode}"]
+    return errors[0].split("error: ")[-1]
 
 
 class Builder:
     """Checks batches of programs in a folder of their own."""
 
-    def __init__(self, build, spoiled=False):
+    def __init__(self, build, stop, spoiled=False):
+        self.stop = stop  # an event: what is not begun is left
         self.spoiled = spoiled
         with open(os.path.join(build, "tests", "fuzz", "paths.txt"), encoding="utf-8") as file:
             paths = dict(line.rstrip("\n").split(" ", 1) if " " in line else (line.strip(), "") for line in file)
@@ -57,26 +76,36 @@ class Builder:
         self.sanitizers = [flag for flag in paths["sanitizers"].split(";") if flag]
 
     def model_line(self, program, variant):
-        motion = f"--need all {program.motion} {variant}" if self.motions else ""
+        motion = f"{'' if '--need' in variant else '--need all'} {program.motion} {variant}" if self.motions else ""
         return f"{program.name}.c {program.options} {motion} --model {program.name} --selftest -o {program.name}_tl.c"
+
+    @staticmethod
+    def read_notes(text, results):
+        """Why some have no motion functions."""
+        for name, why in re.findall(r"^(\w+)\.c:\d+:\d+: note: (.*): No motion functions", text, re.M):
+            results[name].unsuitable = why
 
     def generate(self, programs, folder, variant, results):
         """Runs tlgen on all; where it refuses some, on each. Returns those that it accepts."""
         with open(os.path.join(folder, "models"), "w", encoding="utf-8") as file:
             file.write("\n".join(self.model_line(p, variant) for p in programs) + "\n")
-        done = run([self.tlgen, "--models", "models"], folder)
+        done = run([self.tlgen, "--models", "models"], folder, SECONDS_TO_GENERATE)
         if done.returncode == 0:
-            for name, why in re.findall(r"^(\w+)\.c:\d+:\d+: note: (.*): No motion functions", done.stderr, re.M):
-                results[name].unsuitable = why
+            self.read_notes(done.stderr, results)
             return programs
         accepted = []
         for program in programs:
-            done = run([self.tlgen, *self.model_line(program, variant).split()], folder)
+            if self.stop.is_set():
+                break
+            done = run([self.tlgen, *self.model_line(program, variant).split()], folder, SECONDS_TO_GENERATE)
+            if too_long(done) and self.motions:
+                results[program.name].unsuitable = f"tlgen takes longer than {SECONDS_TO_GENERATE} s"
+                done = run([self.tlgen, *self.model_line(program, "--need none").split()], folder, SECONDS_TO_GENERATE)
+            self.read_notes(done.stderr, results)
             if done.returncode == 0:
                 accepted.append(program)
-                continue
-            errors = [line for line in done.stderr.splitlines() if "error" in line] or [f"exit status {done.returncode}"]
-            results[program.name].fault("tlgen", errors[0].split("error: ")[-1])
+            else:
+                results[program.name].fault("tlgen", first_error(done))
         return accepted
 
     @staticmethod
@@ -88,18 +117,25 @@ class Builder:
         with open(path, "w", encoding="utf-8") as file:
             file.write(re.sub(r"\b((?:tl_)?)sin\(", r"\1cos(", text))
 
+    @staticmethod
+    def compiler(program, folder, configuration):
+        large = os.path.getsize(os.path.join(folder, f"{program.name}_tl.c")) > LARGE
+        return [flag if not (large and re.fullmatch("-O[123]", flag)) else "-O0" for flag in CONFIGURATIONS[configuration]]
+
     def compile(self, programs, folder, configuration, results):
         """Objects of those that compile: generated code, and the plain C in quad precision with its path followed."""
         compiled, objects = [], []
         for p in programs:
             if self.spoiled:
                 self.spoil(p, folder)
-            generated = run([*CONFIGURATIONS[configuration], *WARNINGS, *self.includes, "-c", f"{p.name}_tl.c"], folder)
+            if self.stop.is_set():
+                break
+            compiler = [*self.compiler(p, folder, configuration), *WARNINGS, *self.includes]
+            generated = run([*compiler, "-c", f"{p.name}_tl.c"], folder, SECONDS_TO_COMPILE)
             plain = run([*FOLLOWED, f"-Dmain={p.name}_test", *self.includes, "-c", f"{p.name}_selftest.c"], folder)
             for done in (generated, plain):
                 if done.returncode != 0:
-                    errors = [line for line in done.stderr.splitlines() if "error" in line] or done.stderr.splitlines()
-                    results[p.name].fault("compiler", errors[0].split("error: ")[-1] if errors else "failed")
+                    results[p.name].fault("compiler", first_error(done))
                     break
             else:
                 compiled.append(p)

@@ -79,11 +79,11 @@ class Fuzz:
 
     def __init__(self, arguments):
         self.arguments = arguments
-        self.builder = Builder(arguments.build, arguments.spoil)
+        self.stop = threading.Event()
+        self.builder = Builder(arguments.build, self.stop, arguments.spoil)
         self.tally = Tally()
         self.folder = tempfile.mkdtemp(prefix="fuzz-", dir=os.path.join(arguments.build, "tests", "fuzz"))
         self.lock = threading.Lock()
-        self.stop = threading.Event()
         self.trees = {}
         self.done = 0
 
@@ -121,6 +121,8 @@ class Fuzz:
         sources = self.sources(batch)
         results = self.builder.check(sources, folder, configuration, variant)
         shutil.rmtree(folder)
+        if self.stop.is_set():
+            return
         with self.lock:
             for source in sources:
                 self.tally.add(source.name, (configuration, variant), results[source.name])

@@ -14,7 +14,7 @@ class Generator(Helpers):
         self.serial = 0
         self.helpers = []
         self.cost = 0  # of the function that is being made, in elementary functions
-        self.n = self.random.choice([1, 2, 2, 2, 3, 3, 3, 4, 4, 6])
+        self.n = self.random.choice([1, 1, 2, 2, 2, 2, 2, 3, 3, 3, 4, 6])
         self.by_member = self.random.random() < 0.5
         self.program = Program(name, "n" if self.by_member else str(self.n))
         self.dof = "p->n" if self.by_member else str(self.n)
@@ -76,7 +76,7 @@ class Generator(Helpers):
             scope.result = None if self.chance(0.5) else scope.result
         else:
             scope.result = None
-        body.parts += self.block(scope, self.random.randint(3, 7)).parts
+        body.parts += self.block(scope, self.random.randint(2, 5)).parts
         body.parts.append(self.statement("L += ", self.double(scope, 3).node, ";"))
         i, j = self.random.randrange(self.n), self.random.randrange(self.n)
         body.parts.append(self.statement(f"L += 0.5 * qd[{i}] * qd[{j}] * ", self.squeeze(self.double(scope, 3), 2.0).safe, ";"))
@@ -123,7 +123,7 @@ class Generator(Helpers):
         self.program.functions.append(Function(name, head, body, f"--{role} {name}:{rows}", True))
 
     def make(self):
-        for k in range(self.random.choice([0, 1, 1, 2, 2, 3, 4])):
+        for k in range(self.random.choice([0, 0, 1, 1, 1, 2, 2, 3])):
             self.helper(f"helper{k + 1}")
         self.lagrangian()
         if self.chance(0.35):

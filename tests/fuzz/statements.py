@@ -35,7 +35,8 @@ class Statements(Expressions):
         e = self.double(scope, 3)
         choice = self.random.random()
         if choice < 0.35:
-            return [self.statement(f"{target} = ", self.squeeze(e, VARIABLE).node, ";")]
+            e = self.squeeze(e, VARIABLE)
+            return None if str(e.node) == target else [self.statement(f"{target} = ", e.node, ";")]
         if choice < 0.85:
             return [self.statement(f"{target} {self.pick('+=', '-=')} ", self.squeeze(e, 1.0 if scope.loops else VARIABLE).node, ";")]
         if choice < 0.93:
