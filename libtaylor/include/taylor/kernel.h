@@ -8,14 +8,24 @@
 
 #include "taylor/real.h"
 
-#if defined(__OPTIMIZE__) /* gcc's and clang's */
+/* Forced where that is worth the compiler's time: not without optimisation, nor with a sanitizer's checks at each access. */
+#if defined(__SANITIZE_ADDRESS__)
+#define TL_CHECKED 1
+#elif defined(__has_feature)
+#if __has_feature(address_sanitizer) || __has_feature(undefined_behavior_sanitizer)
+#define TL_CHECKED 1
+#endif
+#endif
+#if defined(__OPTIMIZE__) && !defined(TL_CHECKED) /* gcc's and clang's name */
+#define TL_INLINED 1
 #define TL_INLINE static inline __attribute__((always_inline))
 #else
+#define TL_INLINED 0
 #define TL_INLINE static inline
 #endif
 
 /* TL_VECTORS is 1 where there are vectors. All are of four numbers, whatever the processor has: an operation is then one instruction or
- * two. Eight at a time are no faster on the processors that work on them in two halves, and slow down the scalar code between them. */
+ * two. Eight at a time would slow down the scalar code between them. */
 #if !defined(TL_NO_VECTORS) && defined(__has_builtin)
 #if __has_builtin(__builtin_shufflevector)
 #define TL_VECTORS 1
@@ -25,8 +35,8 @@
 #define TL_VECTORS 0
 #endif
 
-/* Before a loop whose length is a small constant. */
-#if TL_VECTORS
+/* Before a loop whose length is a small constant once its function is inlined. */
+#if TL_VECTORS && TL_INLINED
 #define TL_UNROLL _Pragma("GCC unroll 64")
 #else
 #define TL_UNROLL
