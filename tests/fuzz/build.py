@@ -22,8 +22,9 @@ FOLLOWED = ["gcc", "-w", "-O0", "-fsanitize-coverage=trace-pc"]
 # Of the processor's time, for one program: what takes longer has gone astray.
 SECONDS_TO_GENERATE = 10
 SECONDS_TO_COMPILE = 60
-# Bytes of generated code beyond which it is compiled without optimisation, whose time grows faster than the code.
-LARGE = 100000
+# Bytes of generated code beyond which it is compiled without optimisation, whose time grows faster than the code; and beyond which motion
+# functions are left out.
+LARGE, TOO_LARGE = 60000, 200000
 
 
 class Result:
@@ -86,27 +87,36 @@ class Builder:
             results[name].unsuitable = why
 
     def generate(self, programs, folder, variant, results):
-        """Runs tlgen on all; where it refuses some, on each. Returns those that it accepts."""
+        """Runs tlgen on all; where it refuses some, or takes too long, on each. Returns those that it accepts."""
         with open(os.path.join(folder, "models"), "w", encoding="utf-8") as file:
             file.write("\n".join(self.model_line(p, variant) for p in programs) + "\n")
         done = run([self.tlgen, "--models", "models"], folder, SECONDS_TO_GENERATE)
         if done.returncode == 0:
             self.read_notes(done.stderr, results)
-            return programs
-        accepted = []
-        for program in programs:
-            if self.stop.is_set():
-                break
-            done = run([self.tlgen, *self.model_line(program, variant).split()], folder, SECONDS_TO_GENERATE)
-            if too_long(done) and self.motions:
-                results[program.name].unsuitable = f"tlgen takes longer than {SECONDS_TO_GENERATE} s"
-                done = run([self.tlgen, *self.model_line(program, "--need none").split()], folder, SECONDS_TO_GENERATE)
-            self.read_notes(done.stderr, results)
-            if done.returncode == 0:
-                accepted.append(program)
-            else:
-                results[program.name].fault("tlgen", first_error(done))
+            accepted = programs
+        else:
+            accepted = [p for p in programs if not self.stop.is_set() and self.generate_one(p, folder, variant, results)]
+        for program in accepted:
+            if self.size(program, folder) > TOO_LARGE:
+                self.leave_motion_out(program, folder, results, f"more than {TOO_LARGE} bytes of code")
         return accepted
+
+    def generate_one(self, program, folder, variant, results):
+        done = run([self.tlgen, *self.model_line(program, variant).split()], folder, SECONDS_TO_GENERATE)
+        if too_long(done) and self.motions:
+            done = self.leave_motion_out(program, folder, results, f"tlgen takes longer than {SECONDS_TO_GENERATE} s")
+        self.read_notes(done.stderr, results)
+        if done.returncode != 0:
+            results[program.name].fault("tlgen", first_error(done))
+        return done.returncode == 0
+
+    def leave_motion_out(self, program, folder, results, why):
+        results[program.name].unsuitable = why
+        return run([self.tlgen, *self.model_line(program, "--need none").split()], folder, SECONDS_TO_GENERATE)
+
+    @staticmethod
+    def size(program, folder):
+        return os.path.getsize(os.path.join(folder, f"{program.name}_tl.c"))
 
     @staticmethod
     def spoil(program, folder):
@@ -117,9 +127,8 @@ class Builder:
         with open(path, "w", encoding="utf-8") as file:
             file.write(re.sub(r"\b((?:tl_)?)sin\(", r"\1cos(", text))
 
-    @staticmethod
-    def compiler(program, folder, configuration):
-        large = os.path.getsize(os.path.join(folder, f"{program.name}_tl.c")) > LARGE
+    def compiler(self, program, folder, configuration):
+        large = self.size(program, folder) > LARGE
         return [flag if not (large and re.fullmatch("-O[123]", flag)) else "-O0" for flag in CONFIGURATIONS[configuration]]
 
     def compile(self, programs, folder, configuration, results):
