@@ -6,42 +6,37 @@
  *   dr_i/dq_j = min(mu_i, mu_j) (S_i fx_j - C_i fy_j) + [i = j] (C_i (Y_i + mu_i g) - S_i X_i)
  *   dr_i/dqd_j = 2 min(mu_i, mu_j) (S_i C_j - C_i S_j) qd_j
  *
- * Built with -DN=links, and with -DREGISTERS as straight-line code without an array in memory (-DCOLUMNS=4 or 8: but for J's rows). The
- * parameters are read at each call. A relative_chain is converted to absolute angles outside the timing: what it costs to know the
- * better coordinates. */
+ * Built with -DN=links as rows of vectors (-DLANES=4 or 8), or with -DREGISTERS as straight-line code without an array in memory (with
+ * -DCOLUMNS=4 or 8: but for J's rows). The parameters are read at each call. A relative_chain is converted to absolute angles outside
+ * the timing: what it is worth to know the better coordinates. */
 #include "contender.h"
 #include "hand/kernels.h"
 #include "parameters.h"
 
-enum { NP = TL_ROW(N), LD = TL_LDL_ROW(N), LDB = TL_ROW(2 * N) };
+enum { NP = PADDED(N), LD = PADDED(N + 1), LDB = PADDED(N + PADDED(N)) };
 
 #ifdef REGISTERS
-#define EACH TL_UNROLL
+#define EACH UNROLL
 #else
 #define EACH
 #endif
-#if defined REGISTERS && COLUMNS == 1
-#define EACH_ENTRY TL_UNROLL
-#else
-#define EACH_ENTRY
-#endif
-
 /* What F, J and V share at one state. */
 typedef struct frame {
-  double C[NP], S[NP], mu[NP], w2[NP];        /* w2 = qd^2 */
-  double M[N * LD], dinv[TL_LDL_DIAGONAL(N)]; /* M, then its factors */
+  double ALIGNED C[NP], S[NP], mu[NP], w2[NP]; /* w2 = qd^2 */
+  double ALIGNED M[N * LD], dinv[NP];          /* [M | -r at qdd = 0], upper triangle */
+  double ALIGNED L[N * LD];                    /* its factor L' with (L D)^-1 of the last column beside it */
 } frame;
 
 /* X_i = sum_{k>=i} m_k sum_{j<=k} f_j. */
-TL_INLINE void sum_chain(const double *mass, const double *f, double *X) {
+INLINE void sum_chain(const double *mass, const double *f, double *X) {
   double sum = 0.0;
   EACH for (int k = 0; k < N; k++) sum += f[k], X[k] = mass[k] * sum;
   EACH for (int k = N - 2; k >= 0; k--) X[k] += X[k + 1];
 }
 
-TL_INLINE void read_state(const struct pendulum *p, const double *q, const double *qd, frame *z) {
+INLINE void read_state(const struct pendulum *p, const double *q, const double *qd, frame *z) {
   double s[NP], c[NP];
-  hand_sincos(N, q, s, c);
+  sincos_array(N, q, s, c);
   z->mu[N - 1] = p->mass[N - 1];
   EACH for (int i = N - 2; i >= 0; i--) z->mu[i] = z->mu[i + 1] + p->mass[i];
   EACH for (int i = 0; i < N; i++) z->C[i] = p->length[i] * c[i], z->S[i] = p->length[i] * s[i], z->w2[i] = qd[i] * qd[i];
@@ -49,15 +44,15 @@ TL_INLINE void read_state(const struct pendulum *p, const double *q, const doubl
 }
 
 /* fx, fy at the given accelerations, and the weighted sums X, Y + mu g. */
-TL_INLINE void sum_forces(const struct pendulum *p, const frame *z, const double *qdd, double *fx, double *fy, double *X, double *Y) {
+INLINE void sum_forces(const struct pendulum *p, const frame *z, const double *qdd, double *fx, double *fy, double *X, double *Y) {
   EACH for (int j = 0; j < N; j++) fx[j] = z->C[j] * qdd[j] - z->S[j] * z->w2[j], fy[j] = z->S[j] * qdd[j] + z->C[j] * z->w2[j];
   sum_chain(p->mass, fx, X);
   sum_chain(p->mass, fy, Y);
   EACH for (int i = 0; i < N; i++) Y[i] += z->mu[i] * p->g;
 }
 
-/* F. Rows of M from the vector that holds the diagonal. */
-TL_INLINE void accelerate(const struct pendulum *p, const double *q, const double *qd, frame *z, double *qdd) {
+/* F. */
+INLINE void accelerate(const struct pendulum *p, const double *q, const double *qd, frame *z, double *qdd) {
   double fx[NP], fy[NP], X[NP], Y[NP], PC[NP], PS[NP];
   read_state(p, q, qd, z);
   EACH for (int j = 0; j < N; j++) fx[j] = -z->S[j] * z->w2[j], fy[j] = z->C[j] * z->w2[j];
@@ -65,10 +60,12 @@ TL_INLINE void accelerate(const struct pendulum *p, const double *q, const doubl
   sum_chain(p->mass, fy, Y);
   EACH for (int j = 0; j < NP; j++) PC[j] = z->mu[j] * z->C[j], PS[j] = z->mu[j] * z->S[j];
   EACH for (int i = 0; i < N; i++) {
-    EACH for (int j = FIRST_COLUMN(i); j < END_COLUMN(N, NP); j++) z->M[i * LD + j] = z->C[i] * PC[j] + z->S[i] * PS[j];
-    qdd[i] = -(z->C[i] * X[i] + z->S[i] * (Y[i] + z->mu[i] * p->g));
+    EACH for (int j = i / CELLS * CELLS; j < N; j += CELLS)
+        put_cell(z->M + i * LD + j, z->C[i] * cell_at(PC + j) + z->S[i] * cell_at(PS + j));
+    z->M[i * LD + N] = -(z->C[i] * X[i] + z->S[i] * (Y[i] + z->mu[i] * p->g));
   }
-  hand_factor_solve(N, qdd, z->M, LD, z->dinv);
+  factor(N, z->M, z->L, LD, z->dinv);
+  solve_appended(N, qdd, z->L, LD);
 }
 
 static int acceleration(void *self, const double *restrict q, const double *restrict qd, double *restrict qdd) {
@@ -80,25 +77,26 @@ static int acceleration(void *self, const double *restrict q, const double *rest
 }
 
 /* Row i of -dr/d(q,qd) into b[0..N) and b[N..2N). */
-TL_INLINE void linear_row(const frame *z, int i, const double *fx, const double *fy, const double *v, double diagonal, double *b) {
-  double m[NP], left[NP];
-  EACH_ENTRY for (int j = 0; j < NP; j++) m[j] = z->mu[i] < z->mu[j] ? z->mu[i] : z->mu[j];
-  EACH_ENTRY for (int j = 0; j < NP; j++) left[j] = m[j] * (z->C[i] * fy[j] - z->S[i] * fx[j]) - (j == i ? diagonal : 0.0);
-  EACH_ENTRY for (int j = 0; j < N; j++) b[j] = left[j];
-  EACH_ENTRY for (int j = 0; j < N; j++) b[N + j] = m[j] * (z->C[i] * z->S[j] - z->S[i] * z->C[j]) * v[j];
+INLINE void linear_row(const frame *z, int i, const double *fx, const double *fy, const double *v, double diagonal, double *b) {
+  double C = z->C[i], S = z->S[i];
+  EACH_ENTRY for (int j = 0; j < N; j += ENTRIES)
+      put_entry(b + j, smaller(z->mu[i], entry_at(z->mu + j)) * (C * entry_at(fy + j) - S * entry_at(fx + j)));
+  EACH_ENTRY for (int j = 0; j < N; j += ENTRIES) put_entry(
+      b + N + j, smaller(z->mu[i], entry_at(z->mu + j)) * (C * entry_at(z->S + j) - S * entry_at(z->C + j)) * entry_at(v + j));
+  b[i] -= diagonal;
 }
 
 static int jacobian(void *self, const double *restrict q, const double *restrict qd, double *restrict qdd, double *restrict qdd_y) {
   const struct pendulum *p = self;
   frame z;
-  double a[NP], fx[NP], fy[NP], X[NP], Y[NP], v[NP], B[N * LDB];
+  double ALIGNED a[NP], fx[NP], fy[NP], X[NP], Y[NP], v[NP], B[N * LDB];
   accelerate(p, q, qd, &z, a);
   sum_forces(p, &z, a, fx, fy, X, Y);
   EACH_ENTRY for (int j = N; j < NP; j++) fx[j] = fy[j] = 0.0;
   EACH_ENTRY for (int j = 0; j < N; j++) v[j] = 2.0 * qd[j];
   double *b = LDB == 2 * N ? qdd_y : B;
   EACH_ENTRY for (int i = 0; i < N; i++) linear_row(&z, i, fx, fy, v, z.C[i] * Y[i] - z.S[i] * X[i], b + i * LDB);
-  hand_solve_many(N, 2 * N, b, LDB, z.M, LD, z.dinv);
+  solve_many(N, 2 * N, b, LDB, z.L, LD, z.dinv);
   EACH for (int i = 0; i < N; i++) qdd[i] = a[i];
   if (b == B) EACH_ENTRY for (int i = 0; i < N; i++) EACH_ENTRY for (int j = 0; j < 2 * N; j++) qdd_y[i * 2 * N + j] = B[i * LDB + j];
   return 0;
@@ -118,7 +116,7 @@ static int directional(void *self, const double *restrict q, const double *restr
   sum_chain(p->mass, gx, U);
   sum_chain(p->mass, gy, V);
   EACH for (int i = 0; i < N; i++) b[i] = -(z.C[i] * U[i] + z.S[i] * V[i] + (z.C[i] * Y[i] - z.S[i] * X[i]) * w[i]);
-  hand_solve(N, b, z.M, LD, z.dinv);
+  solve_one(N, b, z.L, LD, z.dinv);
   EACH for (int i = 0; i < N; i++) qdd[i] = a[i], dqdd[i] = b[i];
   return 0;
 }
