@@ -43,6 +43,17 @@ class Equations:
         return ca.densify(ca.Function("r_y", [self.q, self.qd, self.w, a], [d])(self.q, self.qd, self.w, qdd))
 
 
+class as_written:
+    """Inside, x*(1/y) stays: CasADi otherwise makes a division of each, where one reciprocal per pivot does."""
+
+    def __enter__(self):
+        self.before = ca.GlobalOptions.getSimplificationOnTheFly()
+        ca.GlobalOptions.setSimplificationOnTheFly(False)
+
+    def __exit__(self, *_):
+        ca.GlobalOptions.setSimplificationOnTheFly(self.before)
+
+
 def dense_ldl(M):
     """L' (unit, by rows) and the inverse pivots, for a dense M."""
     n = M.shape[0]
@@ -80,8 +91,13 @@ def solver(kind, M):
     if kind == "minor":
         inverse = ca.inv_minor(M)
         return lambda b: inverse @ b
-    factors = dense_ldl(M)
-    return lambda B: ca.horzcat(*(dense_solve(factors, B[:, k]) for k in range(B.shape[1])))
+    with as_written():
+        factors = dense_ldl(M)
+
+    def solve(B):
+        with as_written():
+            return ca.horzcat(*(dense_solve(factors, B[:, k]) for k in range(B.shape[1])))
+    return solve
 
 
 def scalar_outputs(eq, need, derivative, kind):
@@ -100,7 +116,8 @@ def scalar_outputs(eq, need, derivative, kind):
 def mapped_function(eq, inputs):
     """J with the solver as a function of one column that a loop calls for each: short code for large n."""
     n = eq.n
-    w, inverse = dense_ldl(eq.M)
+    with as_written():
+        w, inverse = dense_ldl(eq.M)
     packed = ca.vertcat(*(w[i][j] for i in range(n) for j in range(i + 1, n)), *inverse)
     f, b = ca.SX.sym("f", packed.shape[0]), ca.SX.sym("b", n)
     place, rows = 0, [[None] * n for _ in range(n)]
@@ -108,7 +125,8 @@ def mapped_function(eq, inputs):
         for j in range(i + 1, n):
             rows[i][j], place = f[place], place + 1
     one = ca.Function("one", [f, b], [dense_solve((rows, [f[place + i] for i in range(n)]), b)])
-    first = ca.Function("first", [eq.q, eq.qd], [ca.cse(packed), eq.Q])
+    with as_written():
+        first = ca.Function("first", [eq.q, eq.qd], ca.cse([packed, eq.Q]))
     a = ca.SX.sym("a", n)
     second = ca.Function("second", [eq.q, eq.qd, a], [ca.cse(ca.densify(-ca.jacobian(eq.residual(a), eq.y)))])
     q, qd = ca.MX.sym("q", n), ca.MX.sym("qd", n)
@@ -128,7 +146,8 @@ def function(eq, need, formulation):
     if need == "J":
         outputs[1] = outputs[1].T  # columns of it are rows of the result
     if "cse" in rest:
-        outputs = ca.cse(outputs)
+        with as_written():
+            outputs = ca.cse(outputs)
     inputs = [eq.q, eq.qd] + ([eq.w] if need == "V" else [])
     return ca.Function("evaluate", inputs, outputs)
 
