@@ -35,6 +35,9 @@ typedef struct bench_contender {
 enum { BENCH_STATES = 8 }; /* that are cycled */
 
 /* Fills *contender for a case, which outlives it; 0, or another number where the contender does not have that case. */
+#ifdef __GNUC__
+__attribute__((visibility("default")))
+#endif
 int bench_open(const bench_case *problem, bench_contender *contender);
 
 #ifdef __cplusplus

@@ -19,8 +19,8 @@ KNOWING(2, 3, 4) static int acceleration(void *self, const double *restrict q, c
 }
 #define MEMBER .acceleration = acceleration
 #elif defined NEED_J
-KNOWING(2, 3, 4, 5) static int jacobian(void *self, const double *restrict q, const double *restrict qd, double *restrict qdd,
-                                                  double *restrict qdd_y) {
+KNOWING(2, 3, 4, 5)
+static int jacobian(void *self, const double *restrict q, const double *restrict qd, double *restrict qdd, double *restrict qdd_y) {
   const double *arg[evaluate_SZ_ARG] = {q, qd};
   double *res[evaluate_SZ_RES] = {qdd, qdd_y};
   (void)self;
@@ -28,8 +28,9 @@ KNOWING(2, 3, 4, 5) static int jacobian(void *self, const double *restrict q, co
 }
 #define MEMBER .jacobian = jacobian
 #else
-KNOWING(2, 3, 4, 5, 6) static int directional(void *self, const double *restrict q, const double *restrict qd,
-                                                     const double *restrict w, double *restrict qdd, double *restrict dqdd) {
+KNOWING(2, 3, 4, 5, 6)
+static int directional(void *self, const double *restrict q, const double *restrict qd, const double *restrict w, double *restrict qdd,
+                       double *restrict dqdd) {
   const double *arg[evaluate_SZ_ARG] = {q, qd, w};
   double *res[evaluate_SZ_RES] = {qdd, dqdd};
   (void)self;
