@@ -1,0 +1,138 @@
+// Derivatives and domains of the elementary functions, as values.
+#include "Graph.h"
+
+#include <cmath>
+#include <functional>
+
+namespace tlgen {
+namespace {
+
+using Formula = std::function<Node *(Graph &, Node *x, Node *y)>; // y: the function's value at x
+
+Node *onePlus(Graph &g, Node *x) { return g.add(g.number(1), x); }
+Node *oneMinus(Graph &g, Node *x) { return g.sub(g.number(1), x); }
+Node *square(Graph &g, Node *x) { return g.mul(x, x); }
+Node *root(Graph &g, Node *x) { return g.math("sqrt", {x}); }
+Node *beyondOne(Graph &g, Node *x) { return g.compare(">=", g.math("fabs", {x}), g.number(1)); }
+Node *notPositive(Graph &g, Node *x) { return g.compare("<=", x, g.number(0)); }
+Node *isZero(Graph &g, Node *x) { return g.compare("==", x, g.number(0)); }
+
+struct Function {
+  Formula derivative;
+  Formula outside; // null: defined everywhere
+};
+
+const double LN2 = 0.693147180559945309417, LN10 = 2.30258509299404568402, TWO_BY_ROOT_PI = 1.12837916709551257390;
+
+const std::map<std::string, Function> &ofOne() {
+  auto zero = [](Graph &g, Node *, Node *) { return g.number(0); };
+  auto positive = [](Graph &g, Node *x, Node *) { return notPositive(g, x); };
+  auto bell = [](Graph &g, Node *x) { return g.scale(TWO_BY_ROOT_PI, g.math("exp", {g.neg(square(g, x))})); };
+  static const std::map<std::string, Function> table = {
+      {"sin", {[](Graph &g, Node *x, Node *) { return g.math("cos", {x}); }, nullptr}},
+      {"cos", {[](Graph &g, Node *x, Node *) { return g.neg(g.math("sin", {x})); }, nullptr}},
+      {"tan", {[](Graph &g, Node *, Node *y) { return onePlus(g, square(g, y)); }, nullptr}},
+      {"asin",
+       {[](Graph &g, Node *x, Node *) { return g.recip(root(g, g.mul(oneMinus(g, x), onePlus(g, x)))); },
+        [](Graph &g, Node *x, Node *) { return beyondOne(g, x); }}},
+      {"acos",
+       {[](Graph &g, Node *x, Node *) { return g.neg(g.recip(root(g, g.mul(oneMinus(g, x), onePlus(g, x))))); },
+        [](Graph &g, Node *x, Node *) { return beyondOne(g, x); }}},
+      {"atan", {[](Graph &g, Node *x, Node *) { return g.recip(onePlus(g, square(g, x))); }, nullptr}},
+      {"sinh", {[](Graph &g, Node *x, Node *) { return g.math("cosh", {x}); }, nullptr}},
+      {"cosh", {[](Graph &g, Node *x, Node *) { return g.math("sinh", {x}); }, nullptr}},
+      {"tanh", {[](Graph &g, Node *x, Node *) { return square(g, g.recip(g.math("cosh", {x}))); }, nullptr}},
+      {"asinh", {[](Graph &g, Node *x, Node *) { return g.recip(root(g, onePlus(g, square(g, x)))); }, nullptr}},
+      {"acosh",
+       {[](Graph &g, Node *x, Node *) { return g.recip(root(g, g.mul(g.sub(x, g.number(1)), onePlus(g, x)))); },
+        [](Graph &g, Node *x, Node *) { return g.compare("<=", x, g.number(1)); }}},
+      {"atanh",
+       {[](Graph &g, Node *x, Node *) { return g.recip(g.mul(oneMinus(g, x), onePlus(g, x))); },
+        [](Graph &g, Node *x, Node *) { return beyondOne(g, x); }}},
+      {"exp", {[](Graph &, Node *, Node *y) { return y; }, nullptr}},
+      {"exp2", {[](Graph &g, Node *, Node *y) { return g.scale(LN2, y); }, nullptr}},
+      {"expm1", {[](Graph &g, Node *x, Node *) { return g.math("exp", {x}); }, nullptr}},
+      {"log", {[](Graph &g, Node *x, Node *) { return g.recip(x); }, positive}},
+      {"log2", {[](Graph &g, Node *x, Node *) { return g.scale(1 / LN2, g.recip(x)); }, positive}},
+      {"log10", {[](Graph &g, Node *x, Node *) { return g.scale(1 / LN10, g.recip(x)); }, positive}},
+      {"log1p",
+       {[](Graph &g, Node *x, Node *) { return g.recip(onePlus(g, x)); },
+        [](Graph &g, Node *x, Node *) { return g.compare("<=", x, g.number(-1)); }}},
+      {"sqrt", {[](Graph &g, Node *, Node *y) { return g.scale(0.5, g.recip(y)); }, positive}},
+      {"cbrt",
+       {[](Graph &g, Node *, Node *y) { return g.scale(1.0 / 3, square(g, g.recip(y))); },
+        [](Graph &g, Node *x, Node *) { return isZero(g, x); }}},
+      {"erf", {[bell](Graph &g, Node *x, Node *) { return bell(g, x); }, nullptr}},
+      {"erfc", {[bell](Graph &g, Node *x, Node *) { return g.neg(bell(g, x)); }, nullptr}},
+      {"fabs",
+       {[](Graph &g, Node *x, Node *) { return g.math("copysign", {g.number(1), x}); },
+        [](Graph &g, Node *x, Node *) { return isZero(g, x); }}},
+      {"floor", {zero, nullptr}},
+      {"ceil", {zero, nullptr}},
+      {"trunc", {zero, nullptr}},
+      {"round", {zero, nullptr}},
+      {"rint", {zero, nullptr}},
+      {"nearbyint", {zero, nullptr}},
+  };
+  return table;
+}
+
+Node *ofPow(Graph &g, Node *y, size_t argument) {
+  Node *x = y->args[0], *e = y->args[1];
+  if (argument == 1) return g.mul(y, g.math("log", {x}));
+  return g.mul(e, g.math("pow", {x, g.sub(e, g.number(1))}));
+}
+
+// Functions of two and more numbers.
+Node *ofMany(Graph &g, Node *y, size_t argument) {
+  const std::string &f = y->text;
+  Node *a = y->args[0], *b = y->args[1], *one = g.number(1), *zero = g.number(0);
+  if (f == "pow") return ofPow(g, y, argument);
+  if (f == "hypot") return g.div(y->args[argument], y);
+  if (f == "atan2") {
+    Node *r = g.recip(g.add(square(g, a), square(g, b)));
+    return argument == 0 ? g.mul(b, r) : g.neg(g.mul(a, r));
+  }
+  if (f == "fma") return argument == 2 ? one : y->args[1 - argument];
+  if (f == "fmin" || f == "fmax") {
+    Node *first = f == "fmin" ? g.compare("<", a, b) : g.compare("<", b, a);
+    return argument == 0 ? g.select(first, one, zero) : g.select(first, zero, one);
+  }
+  if (f == "fdim") return g.select(g.compare("<", b, a), g.number(argument == 0 ? 1 : -1), zero);
+  if (f == "copysign") return argument == 1 ? zero : g.mul(g.math("copysign", {one, a}), g.math("copysign", {one, b}));
+  if (f == "fmod" || f == "remainder") return argument == 0 ? one : g.neg(g.math("rint", {g.div(g.sub(a, y), b)}));
+  if (f == "ldexp" || f == "scalbn" || f == "scalbln") return argument == 1 ? nullptr : g.math(f, {one, b});
+  return nullptr;
+}
+
+bool whole(const Node *n) { return n->isNumber() && n->value == std::floor(n->value); }
+
+} // namespace
+
+Node *derivative(Graph &graph, Node *math, size_t argument) {
+  if (math->op == Node::Taylor) return math->args.size() == 1 ? graph.taylor(math->text, math->which + 1, math->args) : nullptr;
+  if (math->args.size() > 1) return ofMany(graph, math, argument);
+  auto known = ofOne().find(math->text);
+  return known == ofOne().end() ? nullptr : known->second.derivative(graph, math->args[0], math);
+}
+
+Node *outsideDomain(Graph &graph, Node *math) {
+  Node *x = math->args.empty() ? nullptr : math->args[0];
+  if (math->op == Node::Recip) return isZero(graph, x);
+  if (math->op != Node::Math) return nullptr;
+  const std::string &f = math->text;
+  if (math->args.size() == 1) {
+    auto known = ofOne().find(f);
+    return known == ofOne().end() || !known->second.outside ? nullptr : known->second.outside(graph, x, math);
+  }
+  Node *y = math->args[1];
+  if (f == "pow") return whole(y) ? y->value < 0 ? isZero(graph, x) : nullptr : notPositive(graph, x);
+  if (f == "hypot") return isZero(graph, math);
+  if (f == "atan2") return graph.logicalAnd(isZero(graph, x), isZero(graph, y));
+  if (f == "fmin" || f == "fmax" || f == "fdim") return graph.compare("==", x, y);
+  if (f == "copysign") return x->isNumber() ? nullptr : graph.logicalOr(isZero(graph, x), isZero(graph, y));
+  if (f == "fmod" || f == "remainder") return isZero(graph, y);
+  return nullptr;
+}
+
+} // namespace tlgen

@@ -1,0 +1,387 @@
+// Making of nodes: each value once, with the arithmetic that can be done at once done.
+#include "Graph.h"
+
+#include <cmath>
+#include <cstring>
+
+namespace tlgen {
+namespace {
+
+template <class T> void put(std::string &key, const T &v) {
+  char raw[sizeof v];
+  std::memcpy(raw, &v, sizeof v);
+  key.append(raw, sizeof v);
+}
+
+std::string keyOf(const Node &n) {
+  std::string key;
+  put(key, n.op);
+  put(key, n.value);
+  put(key, n.offset);
+  for (auto &[loop, factor] : n.terms) {
+    put(key, loop);
+    put(key, factor);
+  }
+  put(key, n.slot);
+  put(key, n.array);
+  put(key, n.of);
+  put(key, n.which);
+  for (const Node *arg : n.args) put(key, arg);
+  return key + n.text;
+}
+
+Loop *deeper(Loop *a, Loop *b) {
+  if (!a || !b) return a ? a : b;
+  return a->within(b) ? a : b;
+}
+
+// A product as number times the rest; the rest is null for a number itself.
+struct Scaled {
+  double factor;
+  Node *rest;
+};
+
+Scaled scaled(Node *n) {
+  if (n->isNumber()) return {n->value, nullptr};
+  if (n->op == Node::Mul && n->args[0]->isNumber()) return {n->args[0]->value, n->args[1]};
+  return {1, n};
+}
+
+bool isNegation(const Node *n) { return n->op == Node::Mul && n->args[0]->is(-1); }
+
+const Guard *common(const Guard *a, const Guard *b) {
+  while (a && !Graph::covers(a, b)) a = a->outer;
+  return a;
+}
+
+} // namespace
+
+bool Graph::covers(const Guard *outer, const Guard *inner) {
+  for (; inner; inner = inner->outer)
+    if (inner == outer) return true;
+  return !outer;
+}
+
+const Guard *Graph::under(const Guard *outer, Node *condition) {
+  Node *holds = outer ? logicalAnd(outer->holds, condition) : condition;
+  for (const Guard &g : guards_)
+    if (g.outer == outer && g.holds == holds) return &g;
+  return &guards_.emplace_back(Guard{outer, holds});
+}
+
+Node *Graph::make(Node n) {
+  std::string key = keyOf(n);
+  auto known = known_.find(key);
+  if (known != known_.end()) {
+    Node *old = known->second;
+    if (!covers(old->guard, guard)) old->guard = common(old->guard, guard);
+    return old;
+  }
+  n.id = int(nodes_.size());
+  n.guard = guard;
+  n.loc = loc;
+  if (n.op == Node::Carried) n.loop = n.of;
+  if (n.op == Node::Final) n.loop = n.of->outer;
+  for (auto &[loop, factor] : n.terms) n.loop = deeper(n.loop, loop);
+  for (const Node *arg : n.args) n.loop = deeper(n.loop, arg->loop);
+  return known_[key] = &nodes_.emplace_back(std::move(n));
+}
+
+Node *Graph::number(double value) {
+  Node n(Node::Number);
+  n.value = value == 0 ? 0 : value;
+  return make(std::move(n));
+}
+
+Node *Graph::affine(long offset, std::vector<std::pair<Loop *, long>> terms) {
+  Node n(Node::Affine);
+  n.offset = offset;
+  std::map<int, std::pair<Loop *, long>> sum;
+  for (auto &[loop, factor] : terms) {
+    sum[loop->id].first = loop;
+    sum[loop->id].second += factor;
+  }
+  for (auto &[id, term] : sum)
+    if (term.second) n.terms.push_back(term);
+  return make(std::move(n));
+}
+
+Node *Graph::leaf(const Slot *slot, std::vector<Node *> indices) {
+  Node n(Node::Leaf);
+  n.slot = slot;
+  n.args = std::move(indices);
+  return make(std::move(n));
+}
+
+Node *Graph::add(Node *a, Node *b) {
+  if (a->is(0)) return b;
+  if (b->is(0)) return a;
+  if (a->isNumber() && b->isNumber()) return number(a->value + b->value);
+  Scaled x = scaled(a), y = scaled(b);
+  if (x.rest == y.rest) return scale(x.factor + y.factor, x.rest);
+  if (isNegation(a) && isNegation(b)) return neg(add(x.rest, y.rest));
+  Node n(Node::Add);
+  n.args = {a, b};
+  if (isNegation(a) || (!isNegation(b) && b->id < a->id)) std::swap(n.args[0], n.args[1]);
+  return make(std::move(n));
+}
+
+Node *Graph::mul(Node *a, Node *b) {
+  Scaled x = scaled(a), y = scaled(b);
+  double factor = x.factor * y.factor;
+  if (factor == 0) return number(0);
+  Node *rest = x.rest ? x.rest : y.rest;
+  if (x.rest && y.rest) {
+    Node n(Node::Mul);
+    n.args = {x.rest, y.rest};
+    if (n.args[1]->id < n.args[0]->id) std::swap(n.args[0], n.args[1]);
+    rest = make(std::move(n));
+  }
+  if (!rest) return number(factor);
+  if (factor == 1) return rest;
+  if (factor == -1 && rest->op == Node::Add && isNegation(rest->args[1])) return add(rest->args[1]->args[1], neg(rest->args[0]));
+  Node n(Node::Mul);
+  n.args = {number(factor), rest};
+  return make(std::move(n));
+}
+
+Node *Graph::recip(Node *a) {
+  if (a->isNumber() && a->value != 0) return number(1 / a->value);
+  if (a->op == Node::Recip) return a->args[0];
+  Scaled x = scaled(a);
+  if (x.rest && x.factor != 1) return scale(1 / x.factor, recip(x.rest));
+  Node n(Node::Recip);
+  n.args = {a};
+  return make(std::move(n));
+}
+
+namespace {
+
+using Unary = double (*)(double);
+
+double folded(const std::string &function, double x) {
+  static const std::map<std::string, Unary> known = {
+      {"sin", std::sin},   {"cos", std::cos},     {"tan", std::tan},     {"asin", std::asin},   {"acos", std::acos},
+      {"atan", std::atan}, {"sinh", std::sinh},   {"cosh", std::cosh},   {"tanh", std::tanh},   {"exp", std::exp},
+      {"log", std::log},   {"sqrt", std::sqrt},   {"cbrt", std::cbrt},   {"fabs", std::fabs},   {"floor", std::floor},
+      {"ceil", std::ceil}, {"expm1", std::expm1}, {"log1p", std::log1p}, {"trunc", std::trunc}, {"asinh", std::asinh}};
+  auto f = known.find(function);
+  return f == known.end() ? NAN : f->second(x);
+}
+
+// x^n for a whole n > 0 by squaring.
+Node *power(Graph &g, Node *x, int n) {
+  if (n == 1) return x;
+  Node *half = power(g, x, n / 2), *square = g.mul(half, half);
+  return n % 2 ? g.mul(square, x) : square;
+}
+
+} // namespace
+
+Node *Graph::math(const std::string &function, std::vector<Node *> args) {
+  Node *x = args[0];
+  if (args.size() == 1 && x->isNumber()) {
+    double value = folded(function, x->value);
+    if (std::isfinite(value)) return number(value);
+  }
+  if (function == "pow" && args[1]->isNumber()) {
+    double e = args[1]->value;
+    if (e == 0) return number(1);
+    if (e == 0.5) return math("sqrt", {x});
+    if (e == std::floor(e) && std::fabs(e) <= 16) return e > 0 ? power(*this, x, int(e)) : recip(power(*this, x, int(-e)));
+  }
+  if (function == "sin" && isNegation(x)) return neg(math("sin", {x->args[1]}));
+  if ((function == "cos" || function == "fabs") && isNegation(x)) return math(function, {x->args[1]});
+  Node n(Node::Math);
+  n.text = function;
+  n.args = std::move(args);
+  return make(std::move(n));
+}
+
+Node *Graph::taylor(const std::string &function, int order, std::vector<Node *> args) {
+  Node n(Node::Taylor);
+  n.text = function;
+  n.which = order;
+  n.args = std::move(args);
+  return make(std::move(n));
+}
+
+Node *Graph::convert(const std::string &type, Node *a) {
+  if (a->isNumber() && type != "tl_real" && std::fabs(a->value) < 1e15) return integer(long(a->value));
+  if (a->isConstant() && type == "tl_real") return number(double(a->offset));
+  Node n(Node::Convert);
+  n.text = type;
+  n.args = {a};
+  return make(std::move(n));
+}
+
+Node *Graph::integerOp(const std::string &op, Node *a, Node *b) {
+  if (a->op == Node::Affine && b->op == Node::Affine) {
+    long sign = op == "-" ? -1 : 1;
+    if (op == "+" || op == "-") {
+      auto terms = a->terms;
+      for (auto &[loop, factor] : b->terms) terms.push_back({loop, sign * factor});
+      return affine(a->offset + sign * b->offset, std::move(terms));
+    }
+    if (op == "*" && (a->isConstant() || b->isConstant())) {
+      if (!b->isConstant()) std::swap(a, b);
+      auto terms = a->terms;
+      for (auto &term : terms) term.second *= b->offset;
+      return affine(a->offset * b->offset, std::move(terms));
+    }
+    if (a->isConstant() && b->isConstant() && b->offset != 0 && op == "/") return integer(a->offset / b->offset);
+    if (a->isConstant() && b->isConstant() && b->offset != 0 && op == "%") return integer(a->offset % b->offset);
+  }
+  Node n(Node::Integer);
+  n.text = op;
+  n.args = {a, b};
+  return make(std::move(n));
+}
+
+Node *Graph::compare(const std::string &op, Node *a, Node *b) {
+  if (op == ">") return compare("<", b, a);
+  if (op == ">=") return compare("<=", b, a);
+  if (op == "!=") return logicalNot(compare("==", a, b));
+  if ((a->isNumber() && b->isNumber()) || (a->isConstant() && b->isConstant())) {
+    double x = a->isNumber() ? a->value : double(a->offset), y = b->isNumber() ? b->value : double(b->offset);
+    return integer(op == "<" ? x < y : op == "<=" ? x <= y : x == y);
+  }
+  if (op == "==" && b->id < a->id) std::swap(a, b);
+  Node n(Node::Compare);
+  n.text = op;
+  n.args = {a, b};
+  return make(std::move(n));
+}
+
+Node *Graph::logicalNot(Node *a) {
+  if (a->isConstant()) return integer(!a->offset);
+  if (a->op == Node::Not) return a->args[0];
+  Node n(Node::Not);
+  n.args = {a};
+  return make(std::move(n));
+}
+
+Node *Graph::logicalAnd(Node *a, Node *b) {
+  if (a->isConstant()) return a->offset ? b : a;
+  if (b->isConstant()) return b->offset ? a : b;
+  if (a == b) return a;
+  Node n(Node::And);
+  n.args = {a, b};
+  return make(std::move(n));
+}
+
+Node *Graph::logicalOr(Node *a, Node *b) {
+  if (a->isConstant()) return a->offset ? a : b;
+  if (b->isConstant()) return b->offset ? b : a;
+  if (a == b) return a;
+  Node n(Node::Or);
+  n.args = {a, b};
+  return make(std::move(n));
+}
+
+Node *Graph::select(Node *condition, Node *a, Node *b) {
+  if (condition->isConstant()) return condition->offset ? a : b;
+  if (condition->op == Node::Not) return select(condition->args[0], b, a);
+  if (a == b) return a;
+  Node n(Node::Select);
+  n.args = {condition, a, b};
+  return make(std::move(n));
+}
+
+Loop *Graph::loop(Loop *outer, Node *trips, bool down) {
+  Loop *l = &loops_.emplace_back(Loop{int(loops_.size()), outer, trips, nullptr, down, nullptr, {}});
+  l->index = affine(0, {{l, 1}});
+  return l;
+}
+
+Node *Graph::carry(Loop *loop, Node *init) {
+  Node n(Node::Carried);
+  n.of = loop;
+  n.which = int(loop->carried.size());
+  Node *in = make(std::move(n));
+  loop->carried.push_back({init, in, in});
+  return in;
+}
+
+Node *Graph::final(Loop *loop, int which) {
+  const Carry &carry = loop->carried[size_t(which)];
+  if (carry.out == carry.in) return carry.init;
+  Node n(Node::Final);
+  n.of = loop;
+  n.which = which;
+  return make(std::move(n));
+}
+
+Array *Graph::array(const std::string &name, long length) {
+  return &arrays_.emplace_back(Array{int(arrays_.size()), name, length, false, {}});
+}
+
+Node *Graph::read(Array *array, Node *index) {
+  Node n(Node::Read);
+  n.array = array;
+  n.args = {index};
+  return make(std::move(n));
+}
+
+Node *Graph::rebuild(Node *n, std::vector<Node *> args) {
+  switch (n->op) {
+  case Node::Leaf:
+    return leaf(n->slot, std::move(args));
+  case Node::Read:
+    return read(n->array, args[0]);
+  case Node::Add:
+    return add(args[0], args[1]);
+  case Node::Mul:
+    return mul(args[0], args[1]);
+  case Node::Recip:
+    return recip(args[0]);
+  case Node::Math:
+    return math(n->text, std::move(args));
+  case Node::Taylor:
+    return taylor(n->text, n->which, std::move(args));
+  case Node::Convert:
+    return convert(n->text, args[0]);
+  case Node::Integer:
+    return integerOp(n->text, args[0], args[1]);
+  case Node::Compare:
+    return compare(n->text, args[0], args[1]);
+  case Node::Not:
+    return logicalNot(args[0]);
+  case Node::And:
+    return logicalAnd(args[0], args[1]);
+  case Node::Or:
+    return logicalOr(args[0], args[1]);
+  case Node::Select:
+    return select(args[0], args[1], args[2]);
+  case Node::Number:
+  case Node::Affine:
+  case Node::Carried:
+  case Node::Final:
+    break;
+  }
+  return n;
+}
+
+Node *Graph::replace(Node *node, Replacement &by) {
+  auto known = by.find(node);
+  if (known != by.end()) return known->second;
+  Node *result = node;
+  if (node->op == Node::Affine) {
+    result = integer(node->offset);
+    for (auto &[loop, factor] : node->terms) {
+      auto index = by.find(loop->index);
+      Node *term = index == by.end() ? loop->index : index->second;
+      result = integerOp("+", result, integerOp("*", integer(factor), term));
+    }
+  } else {
+    std::vector<Node *> args;
+    for (Node *arg : node->args) args.push_back(replace(arg, by));
+    if (args != node->args) {
+      loc = node->loc;
+      result = rebuild(node, std::move(args));
+    }
+  }
+  return by[node] = result;
+}
+
+} // namespace tlgen
