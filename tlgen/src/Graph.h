@@ -160,6 +160,20 @@ public:
   // What new nodes are made for.
   const Guard *guard = nullptr;
   Loc loc;
+  // Sets both for the time that it lives.
+  struct Making {
+    Making(Graph &graph, const Guard *guard, Loc loc) : graph(graph), guard(graph.guard), loc(graph.loc) {
+      graph.guard = guard;
+      graph.loc = loc;
+    }
+    ~Making() {
+      graph.guard = guard;
+      graph.loc = loc;
+    }
+    Graph &graph;
+    const Guard *guard;
+    Loc loc;
+  };
   const Guard *under(const Guard *outer, Node *condition);    // outer and condition
   static bool covers(const Guard *outer, const Guard *inner); // whether inner holds only where outer does
 

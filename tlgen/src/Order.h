@@ -26,6 +26,7 @@ public:
   // Whether what the carried value is at the end of an iteration is needed.
   bool has(const Loop *loop, size_t carried) const { return carries_.count({loop, carried}) != 0; }
 
+  const std::unordered_set<const Node *> &nodes() const { return nodes_; }
   // The steps of a loop's body (null: outside of all), in order.
   const std::vector<Step> &steps(const Loop *loop) const;
 

@@ -1,0 +1,207 @@
+// Motion-shape coefficients of values: the rules of the algebra, on nodes.
+#include "Jets.h"
+
+namespace tlgen {
+
+Jets::Jets(Graph &graph, std::function<LeafJet(Node *)> inputs, int powers, long columns, bool explicitColumns)
+    : graph_(graph), inputs_(std::move(inputs)), powers_(powers), columns_(columns), explicit_(explicitColumns) {}
+
+Row *Jets::row(const std::string &name, long count) {
+  return &rows_.emplace_back(Row{int(rows_.size()), name, count, nullptr, false, true});
+}
+
+const Direction *Jets::direction(Direction d) {
+  auto id = [](const Node *n) { return n ? std::to_string(n->id) : "-"; };
+  std::string key = id(d.column) + " " + (d.row ? std::to_string(d.row->id) : "-") + " " + id(d.index) + " " + id(d.bound) + " " +
+                    (d.updated ? "new" : "old");
+  Direction *&known = directions_[key];
+  if (!known) {
+    d.id = int(allDirections_.size());
+    known = &allDirections_.emplace_back(d);
+  }
+  return known;
+}
+
+Node *Jets::coefficient(Node *node, int power) {
+  Node *known = info_[node].c[power];
+  if (known) return known;
+  Graph::Making making(graph_, remade(node->guard), node->loc);
+  Node *made = compute(node, power);
+  return info_[node].c[power] = made;
+}
+
+const Guard *Jets::remade(const Guard *guard) {
+  if (!guard) return nullptr;
+  Node *holds = value(guard->holds);
+  return holds == guard->holds ? guard : graph_.under(remade(guard->outer), holds);
+}
+
+Node *Jets::compute(Node *node, int power) { return power ? computeHigher(node, power) : computeValue(node); }
+
+Node *Jets::computeValue(Node *node) {
+  switch (node->op) {
+  case Node::Number: return node;
+  case Node::Affine: {
+    Graph::Replacement by;
+    for (auto &[loop, factor] : node->terms) by[loop->index] = clones_.at(loop)->index;
+    return graph_.replace(node, by);
+  }
+  case Node::Carried: return node; // of a loop that is not made anew: not reached
+  case Node::Final: {
+    Node *in = coefficient(node->of->carried[size_t(node->which)].in, 0);
+    return graph_.final(in->of, in->which);
+  }
+  case Node::Read: return graph_.read(stored(node->array).c[0], value(node->args[0]));
+  default: break;
+  }
+  std::vector<Node *> args;
+  for (Node *arg : node->args) args.push_back(value(arg));
+  return graph_.rebuild(node, std::move(args));
+}
+
+Node *Jets::computeHigher(Node *node, int power) {
+  Node *sum = graph_.number(0);
+  auto plus = [&](Node *a, Node *b) { sum = graph_.add(sum, graph_.mul(a, b)); };
+  auto c = [&](Node *n, int k) { return coefficient(n, k); };
+  auto &args = node->args;
+  switch (node->op) {
+  case Node::Leaf: {
+    LeafJet jet = inputs_(value(node));
+    Node *known = power == 1 ? jet.s : jet.s2;
+    return known ? known : sum;
+  }
+  case Node::Final: {
+    Node *in = coefficient(node->of->carried[size_t(node->which)].in, power);
+    return in->op == Node::Carried ? graph_.final(in->of, in->which) : in;
+  }
+  case Node::Read: {
+    Array *array = stored(node->array).c[power];
+    return array ? graph_.read(array, value(args[0])) : sum;
+  }
+  case Node::Add: return graph_.add(c(args[0], power), c(args[1], power));
+  case Node::Mul:
+    for (int k = 0; k <= power; ++k) plus(c(args[0], k), c(args[1], power - k));
+    return sum;
+  case Node::Recip:
+    for (int k = 1; k <= power; ++k) plus(c(args[0], k), c(node, power - k));
+    return graph_.neg(graph_.mul(sum, c(node, 0)));
+  case Node::Math:
+  case Node::Taylor:
+    for (size_t i = 0; i < args.size(); ++i)
+      for (int k = 1; k <= power; ++k) {
+        Node *x = c(args[i], k);
+        if (x->is(0)) continue;
+        if (Node *partial = derivative(graph_, node, i)) plus(graph_.scale(double(k) / power, c(partial, power - k)), x);
+      }
+    return sum;
+  case Node::Select: return graph_.select(value(args[0]), c(args[1], power), c(args[2], power));
+  default: return sum;
+  }
+}
+
+const Tangents &Jets::tangents(Node *node, int power) {
+  if (!info_[node].known[power]) {
+    Graph::Making making(graph_, remade(node->guard), node->loc);
+    Tangents made = computeTangents(node, power);
+    auto out = outOf_.find(node);
+    if (out != outOf_.end()) made = keepUpdated(out->second.first, out->second.second, power, std::move(made));
+    info_[node].t[power] = std::move(made);
+    info_[node].known[power] = true;
+  }
+  return info_[node].t[power];
+}
+
+void Jets::accumulate(Tangents &sum, Node *factor, const Tangents &t) {
+  if (factor->is(0)) return;
+  for (auto &[direction, value] : t) {
+    Node *&total = sum[direction];
+    Node *part = graph_.mul(factor, value);
+    total = total ? graph_.add(total, part) : part;
+    if (total->is(0)) sum.erase(direction);
+  }
+}
+
+Tangents Jets::computeTangents(Node *node, int power) {
+  Tangents sum;
+  auto &args = node->args;
+  Node *one = graph_.number(1);
+  switch (node->op) {
+  case Node::Leaf:
+    for (auto &[column, value] : inputs_(value(node)).tangents[power]) sum[this->column(column)] = value;
+    return sum;
+  case Node::Final: return finalTangents(node, power);
+  case Node::Read: return readTangents(node, power);
+  case Node::Add:
+    accumulate(sum, one, tangents(args[0], power));
+    accumulate(sum, one, tangents(args[1], power));
+    return sum;
+  case Node::Mul:
+    for (int k = 0; k <= power; ++k) {
+      accumulate(sum, coefficient(args[0], k), tangents(args[1], power - k));
+      accumulate(sum, coefficient(args[1], k), tangents(args[0], power - k));
+    }
+    return sum;
+  case Node::Recip:
+    for (int k = 0; k <= power; ++k) {
+      Node *square = graph_.number(0);
+      if (tangents(args[0], power - k).empty()) continue;
+      for (int i = 0; i <= k; ++i) square = graph_.add(square, graph_.mul(coefficient(node, i), coefficient(node, k - i)));
+      accumulate(sum, graph_.neg(square), tangents(args[0], power - k));
+    }
+    return sum;
+  case Node::Math:
+  case Node::Taylor:
+    for (size_t i = 0; i < args.size(); ++i)
+      for (int k = 0; k <= power; ++k) {
+        const Tangents &x = tangents(args[i], power - k);
+        Node *partial = x.empty() ? nullptr : derivative(graph_, node, i);
+        if (partial) accumulate(sum, coefficient(partial, k), x);
+      }
+    return sum;
+  case Node::Select: {
+    const Tangents &a = tangents(args[1], power), &b = tangents(args[2], power);
+    Node *condition = value(args[0]), *zero = graph_.number(0);
+    auto of = [&](const Tangents &t, const Direction *d) {
+      auto found = t.find(d);
+      return found == t.end() ? zero : found->second;
+    };
+    for (const Tangents *t : {&a, &b})
+      for (auto &[direction, value] : *t) sum[direction] = graph_.select(condition, of(a, direction), of(b, direction));
+    return sum;
+  }
+  default: return sum;
+  }
+}
+
+// What is done once the carried values' coefficients are known.
+Tangents Jets::finalTangents(Node *node, int power) {
+  Node *in = node->of->carried[size_t(node->which)].in;
+  Tangents sum;
+  for (auto &[direction, value] : tangents(in, power))
+    sum[direction] = value->op == Node::Carried ? graph_.final(value->of, value->which) : value;
+  return sum;
+}
+
+Tangents Jets::readTangents(Node *node, int power) {
+  Tangents sum;
+  const Stored &stored = this->stored(node->array);
+  Node *index = value(node->args[0]);
+  auto here = [&](Node *ofIteration) {
+    if (!ofIteration || !stored.loop) return ofIteration;
+    Graph::Replacement by = {{stored.loop->index, index}};
+    return graph_.replace(ofIteration, by);
+  };
+  for (auto &[column, array] : stored.columns[power]) sum[this->column(here(column))] = graph_.read(array, index);
+  Node *bound = here(stored.bound[power]);
+  if (stored.view[power]) sum[direction({0, nullptr, stored.view[power], nullptr, bound, false})] = graph_.number(1);
+  if (stored.rows[power]) sum[direction({0, nullptr, stored.rows[power], index, bound, false})] = graph_.number(1);
+  if (stored.wide[power])
+    for (long j = 0; j < columns_; ++j) sum[column(graph_.integer(j))] = graph_.read(stored.wide[power], wideIndex(index, j));
+  return sum;
+}
+
+Node *Jets::wideIndex(Node *index, long column) {
+  return graph_.integerOp("+", graph_.integerOp("*", index, graph_.integer(columns_)), graph_.integer(column));
+}
+
+} // namespace tlgen

@@ -1,0 +1,177 @@
+// Coefficients in a motion shape: {1, s, s^2} times {1, tangents}, of the values of a graph, as values of the same graph.
+//
+// The tangents of a value are a sum over directions. Where columns are explicit, a direction is one column of the result. Otherwise it
+// is a column that follows from iteration numbers, or a whole row in memory: the tangents of something that a loop carries or an array
+// holds. So what a loop's body does to tangents comes down to a few rows with one factor each.
+//
+// Every loop is made anew, with what its carried values have in each coefficient; coefficients that stay zero are not there.
+#ifndef TLGEN_JETS_H
+#define TLGEN_JETS_H
+
+#include "Graph.h"
+
+#include <functional>
+#include <set>
+
+namespace tlgen {
+
+class Needed;
+
+const int POWERS = 3; // of s: 1, s, s^2
+
+// Tangents in memory: count rows of numbers, one number per column.
+struct Row {
+  int id;
+  std::string name;
+  long count;
+  Loop *carriedBy;   // the loop that carries it, null for tapes and results
+  bool summed;       // starts at zero, and updates add
+  bool result;       // a result of the function
+};
+
+struct Direction {
+  int id;
+  Node *column;     // null for a row
+  Row *row;
+  Node *index;      // which of the rows; null where there is one
+  Node *bound;      // columns from here on count as zero; null: none
+  bool updated;     // of a carried row: as this iteration leaves it, but for single columns; not as it found it
+};
+
+struct ByNumber {
+  bool operator()(const Direction *a, const Direction *b) const { return a->id < b->id; }
+};
+using Tangents = std::map<const Direction *, Node *, ByNumber>;
+
+// row[index] = or += sum of factor * row + factors at single columns. Updates of a loop's body run in their order, column by column;
+// single columns are added when all of the body's updates are done.
+struct RowUpdate {
+  Loop *loop; // null: outside of all
+  Row *row;
+  Node *index;        // null where there is one
+  bool add;           // to what is there
+  bool before;        // before the loop that carries the row begins: the row's first content (zero where there is no such update)
+  Node *from, *bound; // columns that can be other than zero; null: all
+  Tangents sum;
+};
+
+// The coefficients of an input. tangents: column and value.
+struct LeafJet {
+  Node *s = nullptr, *s2 = nullptr; // null: zero
+  std::vector<std::pair<Node *, Node *>> tangents[POWERS];
+};
+
+// factor times coefficient s^power of value.
+struct Term {
+  Node *value;
+  int power;
+  double factor;
+};
+
+// Something to be computed: element index of a result, once for each iteration of loop.
+struct Output {
+  Loop *loop;
+  Node *index;
+  std::vector<Term> terms;
+  Array *scalar = nullptr; // takes the sum of the coefficients without tangents
+  Row *row = nullptr;      // takes the sums of the tangents
+  Array *matrix = nullptr; // the same with explicit columns: element index * columns + column
+  bool upper = false;      // columns below the index are not wanted
+};
+
+class Jets {
+public:
+  // inputs: the coefficients of a leaf, of leafs at the same indices.
+  Jets(Graph &graph, std::function<LeafJet(Node *)> inputs, int powers, long columns, bool explicitColumns);
+
+  Row *row(const std::string &name, long count);
+
+  // Computes the outputs: leaves Writes in their arrays, and updates.
+  void run(const std::vector<Output> &outputs);
+
+  // Of values outside of loops, and after run.
+  Node *coefficient(Node *node, int power);
+  const Tangents &tangents(Node *node, int power);
+
+  const std::vector<RowUpdate> &updates() const { return updates_; }
+  const std::deque<Row> &rows() const { return rows_; }
+
+private:
+  struct Info {
+    Node *c[POWERS] = {};
+    Tangents t[POWERS];
+    bool known[POWERS] = {};
+  };
+  // What of a carried value, or of an array's elements, is not always zero.
+  struct Present {
+    bool c[POWERS] = {};
+    bool t[POWERS] = {};
+    std::set<const Direction *, ByNumber> columns[POWERS]; // explicit ones
+  };
+  struct Stored { // an array of the source in memory
+    Array *c[POWERS] = {};
+    Row *rows[POWERS] = {};                               // general tangents
+    std::vector<std::pair<Node *, Array *>> columns[POWERS]; // local ones: column as a function of iteration, and factors
+    Row *view[POWERS] = {};                               // the first columns of a row that a loop has carried
+    Node *bound[POWERS] = {};                             // of rows and views, as a function of iteration
+    Array *wide[POWERS] = {};                             // explicit columns of arrays that are written in several places
+    Loop *loop = nullptr;                                 // the loop that the functions of iteration refer to
+    bool rootDone = false;                                // what is written outside of loops
+  };
+
+  const Direction *direction(Direction d);
+  const Direction *column(Node *node) { return direction({0, node, nullptr, nullptr, nullptr, false}); }
+
+  Node *value(Node *node) { return coefficient(node, 0); }
+  const Guard *remade(const Guard *guard);
+  Node *compute(Node *node, int power);
+  Node *computeValue(Node *node);
+  Node *computeHigher(Node *node, int power);
+  Tangents computeTangents(Node *node, int power);
+  Tangents finalTangents(Node *node, int power);
+  Tangents readTangents(Node *node, int power);
+  void accumulate(Tangents &sum, Node *factor, const Tangents &t);
+  Node *wideIndex(Node *index, long column);
+
+  void runRegion(Loop *loop);
+  void storeBefore(const Loop *loop);
+  Stored &stored(Array *array);
+  void runLoop(Loop *loop);
+  bool tryLoop(Loop *loop, std::vector<Present> &present);
+  bool note(Present &present, Node *value, int power);
+  void forget(const Loop *loop);
+  bool innermost(const Loop *loop) const;
+  void startCarried(Loop *loop, size_t k, const Present &present);
+  void finishCarried(Loop *loop, size_t k);
+  const Direction *carriedRow(Loop *loop, size_t k, int power, bool updated);
+  Tangents keepUpdated(Loop *loop, size_t k, int power, Tangents sum);
+  void finishLoop(Loop *loop, size_t firstUpdate);
+  void finishOutput(const Output &output);
+  void finishWrites(Loop *loop);
+  void finishWrite(Array *array, const Write &write);
+  Array *newArray(const Array *like, long length);
+  void storeTangents(Stored &stored, Array *array, const Write &write, int power);
+  bool storeView(Stored &stored, const Write &write, int power);
+  void boundUpdates(Loop *clone, size_t firstUpdate);
+
+  Graph &graph_;
+  std::function<LeafJet(Node *)> inputs_;
+  int powers_;
+  long columns_;
+  bool explicit_;
+  const Needed *needed_ = nullptr;
+  const std::vector<Output> *outputs_ = nullptr;
+  std::unordered_map<Node *, Info> info_;
+  std::map<const Loop *, Loop *> clones_;
+  std::map<std::pair<const Loop *, std::pair<size_t, int>>, Row *> carriedRows_; // of new loops
+  std::map<Node *, std::pair<Loop *, size_t>> outOf_;                            // end values of the loops under way -> carried
+  std::map<const Array *, Stored> stored_;
+  std::map<std::string, Direction *> directions_;
+  std::deque<Direction> allDirections_;
+  std::deque<Row> rows_;
+  std::vector<RowUpdate> updates_;
+};
+
+} // namespace tlgen
+
+#endif

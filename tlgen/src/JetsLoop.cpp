@@ -1,0 +1,365 @@
+// Motion-shape coefficients in loops: which coefficients carried values have, rows, tapes and results.
+#include "Jets.h"
+#include "Order.h"
+
+#include <algorithm>
+
+namespace tlgen {
+namespace {
+
+// An index as factor * iteration + offset of one loop; factor 0 for a constant. False where it is neither.
+bool linear(const Node *node, const Loop *loop, long &factor, long &offset) {
+  if (node->op != Node::Affine || node->terms.size() > 1) return false;
+  if (!node->terms.empty() && node->terms[0].first != loop) return false;
+  factor = node->terms.empty() ? 0 : node->terms[0].second;
+  offset = node->offset;
+  return true;
+}
+
+// The columns that a sum of tangents has by themselves: factor * iteration + first..last.
+struct Fresh {
+  bool any = false, regular = true;
+  long factor = 0, first = 0, last = 0;
+
+  void add(const Node *column, const Loop *loop) {
+    long f, o;
+    regular = regular && linear(column, loop, f, o) && (!any || f == factor);
+    if (!regular) return;
+    first = any ? std::min(first, o) : o;
+    last = any ? std::max(last, o) : o;
+    factor = f;
+    any = true;
+  }
+};
+
+} // namespace
+
+void Jets::run(const std::vector<Output> &outputs) {
+  std::vector<Node *> wanted;
+  for (const Output &output : outputs) {
+    wanted.push_back(output.index);
+    for (const Term &term : output.terms) wanted.push_back(term.value);
+  }
+  Needed needed(wanted);
+  needed_ = &needed;
+  outputs_ = &outputs;
+  runRegion(nullptr);
+  finishLoop(nullptr, 0);
+  needed_ = nullptr;
+}
+
+void Jets::runRegion(Loop *loop) {
+  for (const Step &step : needed_->steps(loop)) {
+    if (!step.loop) {
+      value(step.node);
+      continue;
+    }
+    if (!loop) storeBefore(step.loop);
+    runLoop(step.loop);
+  }
+}
+
+// What the loop reads that was written outside of all loops.
+void Jets::storeBefore(const Loop *loop) {
+  for (const Node *node : needed_->nodes())
+    if (node->op == Node::Read && node->loop && node->loop->within(loop)) stored(node->array);
+}
+
+Jets::Stored &Jets::stored(Array *array) {
+  Stored &stored = stored_[array];
+  if (stored.rootDone) return stored;
+  stored.rootDone = true;
+  for (const Write &write : std::vector<Write>(array->writes))
+    if (!write.loop) finishWrite(array, write);
+  return stored_[array];
+}
+
+// The loop anew. A coefficient of a carried value is there where it is not zero at first or after an iteration: taken for absent until it
+// is seen.
+void Jets::runLoop(Loop *loop) {
+  std::vector<Present> present(loop->carried.size());
+  for (size_t k = 0; k < present.size(); ++k) {
+    if (!needed_->has(loop, k)) continue;
+    for (int p = 0; p < powers_; ++p) note(present[k], loop->carried[k].init, p);
+  }
+  std::vector<size_t> writes;
+  for (const Array &array : graph_.arrays()) writes.push_back(array.writes.size());
+  auto stored = stored_;
+  size_t updates = updates_.size();
+  while (!tryLoop(loop, present)) {
+    size_t k = 0;
+    for (const Array &array : graph_.arrays()) const_cast<Array &>(array).writes.resize(k < writes.size() ? writes[k] : 0), ++k;
+    stored_ = stored;
+    updates_.resize(updates);
+  }
+}
+
+// Adds to present what the value has in s^power; true where that is something new.
+bool Jets::note(Present &present, Node *value, int power) {
+  bool found = false;
+  if (!coefficient(value, power)->is(0) && !present.c[power]) found = present.c[power] = true;
+  const Tangents &t = tangents(value, power);
+  if (!t.empty() && !present.t[power]) found = present.t[power] = true;
+  if (explicit_)
+    for (auto &[direction, factor] : t) found = present.columns[power].insert(direction).second || found;
+  return found;
+}
+
+void Jets::forget(const Loop *loop) {
+  for (auto it = info_.begin(); it != info_.end();) {
+    const Node *node = it->first;
+    bool inside = (node->loop && node->loop->within(loop)) || (node->op == Node::Final && node->of->within(loop));
+    it = inside ? info_.erase(it) : std::next(it);
+  }
+}
+
+bool Jets::tryLoop(Loop *loop, std::vector<Present> &present) {
+  forget(loop);
+  Loop *clone = graph_.loop(loop->outer ? clones_.at(loop->outer) : nullptr, loop->trips ? value(loop->trips) : nullptr, loop->down);
+  clones_[loop] = clone;
+  size_t firstUpdate = updates_.size();
+  for (size_t k = 0; k < present.size(); ++k)
+    if (needed_->has(loop, k)) startCarried(loop, k, present[k]);
+  if (loop->condition) clone->condition = value(loop->condition);
+  runRegion(loop);
+  bool complete = true;
+  for (size_t k = 0; k < present.size(); ++k)
+    for (int p = 0; needed_->has(loop, k) && p < powers_; ++p)
+      if (note(present[k], loop->carried[k].out, p)) complete = false;
+  if (!complete) {
+    for (size_t k = 0; k < present.size(); ++k) outOf_.erase(loop->carried[k].out);
+    return false;
+  }
+  for (size_t k = 0; k < present.size(); ++k)
+    if (needed_->has(loop, k)) finishCarried(loop, k);
+  for (size_t k = 0; k < present.size(); ++k) outOf_.erase(loop->carried[k].out);
+  finishLoop(loop, firstUpdate);
+  return true;
+}
+
+void Jets::finishLoop(Loop *loop, size_t firstUpdate) {
+  if (loop) finishWrites(loop);
+  for (const Output &output : *outputs_)
+    if (output.loop == loop) finishOutput(output);
+  if (loop) boundUpdates(clones_.at(loop), firstUpdate);
+}
+
+// The carried value as an iteration finds it.
+void Jets::startCarried(Loop *loop, size_t k, const Present &present) {
+  const Carry carry = loop->carried[k];
+  Loop *clone = clones_.at(loop);
+  Info in;
+  for (int p = 0; p < powers_; ++p) {
+    Node *init = coefficient(carry.init, p);
+    in.c[p] = p == 0 || present.c[p] ? graph_.carry(clone, init) : graph_.number(0);
+    const Tangents start = tangents(carry.init, p);
+    if (explicit_) {
+      for (const Direction *d : present.columns[p]) {
+        auto found = start.find(d);
+        in.t[p][d] = graph_.carry(clone, found == start.end() ? graph_.number(0) : found->second);
+      }
+    } else if (present.t[p]) {
+      Row *row = &rows_.emplace_back(Row{int(rows_.size()), "row", 1, clone, false, false});
+      carriedRows_[{clone, {k, p}}] = row;
+      if (!start.empty()) updates_.push_back({clone, row, nullptr, false, true, nullptr, nullptr, start});
+      in.t[p][carriedRow(loop, k, p, false)] = graph_.number(1);
+    }
+    in.known[p] = true;
+  }
+  info_[carry.in] = in;
+  if (!explicit_ && innermost(loop)) outOf_.emplace(carry.out, std::make_pair(loop, k));
+}
+
+bool Jets::innermost(const Loop *loop) const {
+  for (const Step &step : needed_->steps(loop))
+    if (step.loop) return false;
+  return true;
+}
+
+const Direction *Jets::carriedRow(Loop *loop, size_t k, int power, bool updated) {
+  auto row = carriedRows_.find({clones_.at(loop), {k, power}});
+  return row == carriedRows_.end() ? nullptr : direction({0, nullptr, row->second, nullptr, nullptr, updated});
+}
+
+// Where an end value's tangents are a sum of rows, it becomes the carried row at once, and what else needs it refers to that.
+Tangents Jets::keepUpdated(Loop *loop, size_t k, int power, Tangents sum) {
+  const Direction *own = carriedRow(loop, k, power, false);
+  if (!own) return sum;
+  Tangents columns;
+  size_t others = 0;
+  for (auto &[direction, factor] : sum)
+    if (direction->column)
+      columns[direction] = factor;
+    else if (direction != own || !factor->is(1))
+      ++others;
+  if (!others) return sum;
+  updates_.push_back({clones_.at(loop), own->row, nullptr, false, false, nullptr, nullptr, sum});
+  columns[carriedRow(loop, k, power, true)] = graph_.number(1);
+  return columns;
+}
+
+void Jets::finishCarried(Loop *loop, size_t k) {
+  const Carry carry = loop->carried[k];
+  const Info in = info_[carry.in];
+  for (int p = 0; p < powers_; ++p) {
+    if (in.c[p]->op == Node::Carried && in.c[p]->of == clones_.at(loop)) graph_.setOut(in.c[p], coefficient(carry.out, p));
+    const Tangents out = tangents(carry.out, p);
+    if (explicit_) {
+      for (auto &[direction, carried] : in.t[p]) {
+        auto found = out.find(direction);
+        graph_.setOut(carried, found == out.end() ? graph_.number(0) : found->second);
+      }
+    } else if (const Direction *own = carriedRow(loop, k, p, true)) {
+      if (!out.count(own)) updates_.push_back({clones_.at(loop), own->row, nullptr, false, false, nullptr, nullptr, out});
+    }
+  }
+}
+
+void Jets::finishWrites(Loop *loop) {
+  for (const Array &array : graph_.arrays())
+    if (needed_->has(&array))
+      for (const Write &write : std::vector<Write>(array.writes))
+        if (write.loop == loop) finishWrite(const_cast<Array *>(&array), write);
+}
+
+void Jets::finishWrite(Array *array, const Write &write) {
+  bool several = array->writes.size() > 1 || array->summed;
+  Stored &stored = stored_[array];
+  stored.loop = write.loop ? clones_.at(write.loop) : nullptr;
+  for (int p = 0; p < powers_; ++p) {
+    Node *c = coefficient(write.value, p);
+    if (p == 0 || !c->is(0) || (several && !array->summed)) {
+      if (!stored.c[p]) stored.c[p] = newArray(array, array->length);
+      if (!c->is(0) || !array->summed) graph_.write(stored.c[p], stored.loop, value(write.index), c);
+    }
+    storeTangents(stored, array, write, p);
+  }
+}
+
+Array *Jets::newArray(const Array *like, long length) {
+  Array *array = graph_.array(like->name, length);
+  array->summed = like->summed;
+  return array;
+}
+
+void Jets::storeTangents(Stored &stored, Array *array, const Write &write, int power) {
+  const Tangents t = tangents(write.value, power);
+  bool several = array->writes.size() > 1 || array->summed;
+  Node *index = value(write.index);
+  if (t.empty() && (array->summed || !several)) return;
+  if (explicit_ && several) {
+    if (!stored.wide[power]) stored.wide[power] = newArray(array, array->length * columns_);
+    for (long j = 0; j < columns_; ++j) {
+      auto found = t.find(column(graph_.integer(j)));
+      if (found != t.end() || !array->summed)
+        graph_.write(stored.wide[power], stored.loop, wideIndex(index, j), found == t.end() ? graph_.number(0) : found->second);
+    }
+    return;
+  }
+  bool local = explicit_ || (!several && stored.loop && index == stored.loop->index);
+  for (auto &[direction, factor] : t) {
+    long f, o;
+    local = local && direction->column && (explicit_ || linear(direction->column, stored.loop, f, o));
+  }
+  if (local) {
+    for (auto &[direction, factor] : t) {
+      Array *column = newArray(array, array->length);
+      graph_.write(column, stored.loop, index, factor);
+      stored.columns[power].push_back({direction->column, column});
+    }
+    return;
+  }
+  if (!several && storeView(stored, write, power)) return;
+  if (!stored.rows[power]) stored.rows[power] = &rows_.emplace_back(Row{int(rows_.size()), array->name, array->length, nullptr, array->summed, false});
+  updates_.push_back({stored.loop, stored.rows[power], index, array->summed, false, nullptr, nullptr, t});
+}
+
+// A carried row that iterations only add columns of their own to need not be kept for each: an earlier state is its first columns.
+bool Jets::storeView(Stored &stored, const Write &write, int power) {
+  Loop *clone = stored.loop;
+  if (!clone || clone->outer || clone->down || value(write.index) != clone->index) return false;
+  Row *row = nullptr;
+  Fresh columns, all;
+  size_t points = 0;
+  for (auto &[direction, factor] : tangents(write.value, power)) {
+    if (direction->column) {
+      columns.add(direction->column, clone);
+      ++points;
+    } else if (row || direction->updated || direction->row->carriedBy != clone || !factor->is(1)) {
+      return false;
+    } else {
+      row = direction->row;
+    }
+  }
+  if (!row) return false;
+  for (const RowUpdate &update : updates_) {
+    if (update.row != row) continue;
+    if (update.before) return false;
+    for (auto &[direction, factor] : update.sum) {
+      if (direction->column)
+        all.add(direction->column, clone);
+      else if (direction->row != row || !factor->is(1))
+        return false;
+    }
+    if (points && points + 1 != update.sum.size()) return false;
+  }
+  if (!all.any || !all.regular || all.factor <= all.last - all.first) return false;
+  if (points && (columns.first != all.first || columns.last != all.last)) return false;
+  stored.view[power] = row;
+  stored.bound[power] = graph_.affine(points ? all.last + 1 : all.first, {{clone, all.factor}});
+  return true;
+}
+
+void Jets::finishOutput(const Output &output) {
+  Loop *clone = output.loop ? clones_.at(output.loop) : nullptr;
+  Node *index = value(output.index);
+  if (output.scalar) {
+    Node *sum = graph_.number(0);
+    for (const Term &term : output.terms) sum = graph_.add(sum, graph_.scale(term.factor, coefficient(term.value, term.power)));
+    if (!output.scalar->summed || !sum->is(0)) graph_.write(output.scalar, clone, index, sum);
+  }
+  if (!output.row && !output.matrix) return;
+  Tangents sum;
+  for (const Term &term : output.terms) accumulate(sum, graph_.number(term.factor), tangents(term.value, term.power));
+  if (output.row) {
+    updates_.push_back({clone, output.row, index, output.row->summed, false, output.upper ? index : nullptr, nullptr, sum});
+    return;
+  }
+  for (long j = 0; j < columns_; ++j) {
+    auto found = sum.find(column(graph_.integer(j)));
+    if (output.upper && index->isConstant() && j < index->offset) continue;
+    if (output.matrix->summed && found == sum.end()) continue;
+    graph_.write(output.matrix, clone, wideIndex(index, j), found == sum.end() ? graph_.number(0) : found->second);
+  }
+}
+
+// Where a loop that counts up only ever reaches columns up to its iteration's own, its updates need not go further.
+void Jets::boundUpdates(Loop *clone, size_t firstUpdate) {
+  if (clone->down || explicit_) return;
+  Fresh fresh;
+  for (size_t k = firstUpdate; k < updates_.size(); ++k)
+    if (updates_[k].loop == clone)
+      for (auto &[direction, factor] : updates_[k].sum)
+        if (direction->column) fresh.add(direction->column, clone);
+  if (!fresh.any || !fresh.regular || fresh.factor <= 0) return;
+  auto fits = [&](const Direction *d) {
+    if (d->column || (d->row->carriedBy == clone)) return true;
+    long f, o;
+    return d->bound && linear(d->bound, clone, f, o) && f == fresh.factor && o <= fresh.last + 1;
+  };
+  for (size_t k = firstUpdate; k < updates_.size(); ++k) {
+    if (updates_[k].loop != clone) continue;
+    if (updates_[k].before) return;
+    for (auto &[direction, factor] : updates_[k].sum)
+      if (!fits(direction)) return;
+  }
+  Node *bound = graph_.affine(fresh.last + 1, {{clone, fresh.factor}});
+  for (size_t k = firstUpdate; k < updates_.size(); ++k)
+    if (updates_[k].loop == clone) updates_[k].bound = bound;
+  for (auto &[array, stored] : stored_)
+    if (stored.loop == clone)
+      for (int p = 0; p < powers_; ++p)
+        if (stored.rows[p] && array->writes.size() == 1 && !array->summed) stored.bound[p] = bound;
+}
+
+} // namespace tlgen

@@ -1,0 +1,368 @@
+// The reverse sweep over a graph, loop by loop from the last to the first.
+#include "Reverse.h"
+
+#include "Order.h"
+
+namespace tlgen {
+namespace {
+
+bool differentiable(const Node *node) {
+  switch (node->op) {
+  case Node::Leaf:
+  case Node::Carried:
+  case Node::Final:
+  case Node::Read:
+  case Node::Add:
+  case Node::Mul:
+  case Node::Recip:
+  case Node::Math:
+  case Node::Taylor:
+  case Node::Select: return true;
+  default: return false;
+  }
+}
+
+class Sweep {
+public:
+  Sweep(Graph &graph, const std::vector<Seed> &seeds, const std::set<const Slot *> &wanted)
+      : graph_(graph), seeds_(seeds), wanted_(wanted), needed_(values(seeds)) {
+    findVaried();
+  }
+
+  Adjoints run() {
+    Region outside{nullptr, nullptr, nullptr, {}, {}, {}};
+    region_ = &outside;
+    sweepRegion();
+    return std::move(result_);
+  }
+
+private:
+  // A loop (null: outside of all) and the one that runs it backwards.
+  struct Region {
+    Loop *forward, *backward;
+    Region *outer;
+    std::unordered_map<Node *, Node *> adjoint; // of the forward loop's own nodes
+    std::map<int, std::pair<Node *, Node *>> sums; // by number: nodes of outer loops, and what an iteration adds to their adjoints
+    Graph::Replacement at;                         // nodes of the forward loop in the backward one
+  };
+
+  static std::vector<Node *> values(const std::vector<Seed> &seeds) {
+    std::vector<Node *> nodes;
+    for (const Seed &seed : seeds) nodes.push_back(seed.value);
+    return nodes;
+  }
+
+  // Which values depend on the wanted slots: to a fixed point, since loops carry values around.
+  void findVaried() {
+    for (bool changed = true; changed;) {
+      changed = false;
+      findVariedIn(nullptr, changed);
+    }
+  }
+
+  void findVariedIn(const Loop *loop, bool &changed) {
+    for (const Step &step : needed_.steps(loop)) {
+      if (step.loop) findVariedIn(step.loop, changed);
+      if (step.node && !varied_.count(step.node) && varies(step.node)) {
+        varied_.insert(step.node);
+        changed = true;
+      }
+    }
+  }
+
+  bool varies(const Node *node) const {
+    if (!differentiable(node)) return false;
+    if (node->op == Node::Leaf) return wanted_.count(node->slot) != 0;
+    if (node->op == Node::Carried || node->op == Node::Final) {
+      const Carry &carry = node->of->carried[size_t(node->which)];
+      return varied_.count(carry.init) || varied_.count(carry.out);
+    }
+    if (node->op == Node::Read) {
+      for (const Write &write : node->array->writes)
+        if (varied_.count(write.value)) return true;
+      return false;
+    }
+    size_t first = node->op == Node::Select ? 1 : 0;
+    for (size_t k = first; k < node->args.size(); ++k)
+      if (varied_.count(node->args[k])) return true;
+    return false;
+  }
+
+  void addTo(std::unordered_map<Node *, Node *> &sums, Node *node, Node *value) {
+    Node *&sum = sums[node];
+    sum = sum ? graph_.add(sum, value) : value;
+  }
+
+  // value is a part of the adjoint of a node of this region or one outside of it.
+  void contribute(Node *to, Node *value) {
+    if (!varied_.count(to) || value->is(0)) return;
+    if (to->loop == region_->forward) return addTo(region_->adjoint, to, value);
+    auto &sum = region_->sums[to->id];
+    sum = {to, sum.second ? graph_.add(sum.second, value) : value};
+  }
+
+  // A value of the forward sweep as the backward loop sees it.
+  Node *at(Node *node) {
+    if (!node->loop) return node;
+    auto known = region_->at.find(node);
+    if (known != region_->at.end()) return known->second;
+    Node *here;
+    if (mustTape(node)) {
+      here = graph_.read(tape(node), place(node->loop, true));
+    } else if (node->op == Node::Affine) {
+      here = graph_.replace(node, indices());
+    } else {
+      std::vector<Node *> args;
+      for (Node *arg : node->args) args.push_back(at(arg));
+      Graph::Making making(graph_, guardAt(node->guard), node->loc);
+      here = graph_.rebuild(node, std::move(args));
+    }
+    return region_->at[node] = here;
+  }
+
+  const Guard *guardAt(const Guard *guard) {
+    if (!guard) return nullptr;
+    Node *holds = at(guard->holds);
+    return holds == guard->holds ? guard : graph_.under(guardAt(guard->outer), holds);
+  }
+
+  // The iteration numbers of the forward loops as those of the backward ones.
+  Graph::Replacement &indices() {
+    indices_.clear();
+    for (Region *r = region_; r->forward; r = r->outer) indices_[r->forward->index] = r->backward->index;
+    return indices_;
+  }
+
+  // Values that depend on what iterations carry are kept where making them again takes a function.
+  bool mustTape(Node *node) {
+    if (node->op == Node::Carried || node->op == Node::Final) return true;
+    if (!followsCarried(node)) return false;
+    if (node->op == Node::Math || node->op == Node::Recip || node->op == Node::Taylor) return true;
+    return isCarriedOut(node);
+  }
+
+  bool isCarriedOut(const Node *node) const {
+    for (const Carry &carry : node->loop->carried)
+      if (carry.out == node) return true;
+    return false;
+  }
+
+  bool followsCarried(Node *node) {
+    auto known = follows_.find(node);
+    if (known != follows_.end()) return known->second;
+    bool result = (node->op == Node::Carried || node->op == Node::Final) && node->loop;
+    for (Node *arg : node->args)
+      if (!result) result = followsCarried(arg);
+    return follows_[node] = result;
+  }
+
+  // The array that holds the value of node in every iteration of its loops.
+  Array *tape(Node *node) {
+    Array *&tape = tapes_[node];
+    if (!tape) {
+      tape = graph_.array("tape", extent(node->loop));
+      graph_.write(tape, node->loop, place(node->loop, false), node);
+    }
+    return tape;
+  }
+
+  // Iterations at most, of the loop and those around it together.
+  static long extent(const Loop *loop) { return loop ? most(loop->trips) * extent(loop->outer) : 1; }
+
+  static long most(const Node *count) {
+    long sum = count->offset;
+    for (auto &[loop, factor] : count->terms)
+      if (factor > 0) sum += factor * (most(loop->trips) - 1);
+    return sum;
+  }
+
+  // The place of the present iteration in a tape.
+  Node *place(Loop *loop, bool backward) {
+    Node *index = loop->index;
+    if (loop->outer)
+      index = graph_.integerOp("+", graph_.integerOp("*", graph_.integer(most(loop->trips)), place(loop->outer, false)), index);
+    return backward ? graph_.replace(index, indices()) : index;
+  }
+
+  void sweepRegion() {
+    for (const Seed &seed : seeds_)
+      if (seed.value->loop == region_->forward) contribute(seed.value, at(seed.adjoint));
+    const std::vector<Step> &steps = needed_.steps(region_->forward);
+    for (size_t k = steps.size(); k-- > 0;)
+      if (steps[k].loop)
+        sweepLoop(steps[k].loop);
+      else
+        sweepNode(steps[k].node);
+  }
+
+  void sweepNode(Node *node) {
+    if (!varied_.count(node)) return;
+    for (const auto &[array, write] : writesOf(node)) {
+      auto adjoint = arrayAdjoints_.find(array);
+      if (adjoint == arrayAdjoints_.end()) continue;
+      contribute(node, graph_.read(adjoint->second, at(write->index)));
+    }
+    auto known = region_->adjoint.find(node);
+    if (known == region_->adjoint.end() || known->second->is(0)) return;
+    Node *adjoint = known->second;
+    if (node->op == Node::Leaf) {
+      std::vector<Node *> indices;
+      for (Node *arg : node->args) indices.push_back(at(arg));
+      result_.of[node->slot].push_back({region_->backward, indices, adjoint});
+    } else if (node->op == Node::Read) {
+      Array *&of = arrayAdjoints_[node->array];
+      if (!of) {
+        of = graph_.array("adj_" + node->array->name, node->array->length);
+        of->summed = true;
+      }
+      graph_.write(of, region_->backward, at(node->args[0]), adjoint);
+    } else if (node->op != Node::Carried && node->op != Node::Final) {
+      Graph::Making making(graph_, guardAt(node->guard), node->loc);
+      sweepOperation(node, adjoint);
+    }
+  }
+
+  std::vector<std::pair<Array *, const Write *>> writesOf(Node *node) {
+    if (!writesKnown_) {
+      for (const Array &array : graph_.arrays())
+        if (needed_.has(&array))
+          for (const Write &write : array.writes) writes_[write.value].push_back({const_cast<Array *>(&array), &write});
+      writesKnown_ = true;
+    }
+    auto known = writes_.find(node);
+    return known == writes_.end() ? std::vector<std::pair<Array *, const Write *>>() : known->second;
+  }
+
+  void sweepOperation(Node *node, Node *adjoint) {
+    auto give = [&](Node *arg, Node *value) {
+      if (!Graph::covers(node->guard, arg->guard)) value = graph_.select(at(node->guard->holds), value, graph_.number(0));
+      contribute(arg, value);
+    };
+    auto &args = node->args;
+    switch (node->op) {
+    case Node::Add:
+      contribute(args[0], adjoint);
+      contribute(args[1], adjoint);
+      return;
+    case Node::Mul:
+      for (size_t k = 0; k < 2; ++k)
+        if (varied_.count(args[k])) give(args[k], graph_.mul(adjoint, at(args[1 - k])));
+      return;
+    case Node::Recip: {
+      Node *value = at(node);
+      give(args[0], graph_.neg(graph_.mul(adjoint, graph_.mul(value, value))));
+      return;
+    }
+    case Node::Select: {
+      Node *condition = at(args[0]), *zero = graph_.number(0);
+      contribute(args[1], graph_.select(condition, adjoint, zero));
+      contribute(args[2], graph_.select(condition, zero, adjoint));
+      return;
+    }
+    default: break;
+    }
+    for (size_t k = 0; k < args.size(); ++k) {
+      if (!varied_.count(args[k])) continue;
+      Node *partial = partialOf(node, k);
+      if (!partial) {
+        result_.noFormula = node;
+        return;
+      }
+      give(args[k], graph_.mul(adjoint, at(partial)));
+    }
+  }
+
+  // d node / d argument, of the forward sweep.
+  Node *partialOf(Node *node, size_t argument) {
+    Graph::Making making(graph_, node->guard, node->loc);
+    return derivative(graph_, node, argument);
+  }
+
+  // Adjoints that turn out the same in every iteration are not carried: each is taken for constant until it is seen to change.
+  void sweepLoop(Loop *loop) {
+    if (!reachesLoop(loop)) return;
+    std::vector<size_t> active;
+    for (size_t k = 0; k < loop->carried.size(); ++k)
+      if (needed_.has(loop, k) && varied_.count(loop->carried[k].in)) active.push_back(k);
+    auto before = result_.of;
+    auto arrays = arrayAdjoints_;
+    std::map<Array *, size_t> writes;
+    for (auto &[forward, adjoint] : arrays) writes[adjoint] = adjoint->writes.size();
+    std::set<size_t> changing;
+    while (!tryLoop(loop, active, changing)) {
+      result_.of = before;
+      arrayAdjoints_ = arrays;
+      for (auto &[array, count] : writes) array->writes.resize(count);
+    }
+  }
+
+  // Whether anything in the loop can have an adjoint: something is seeded in it, or read of it later.
+  bool reachesLoop(const Loop *loop) {
+    for (const Node *node : varied_)
+      if (node->loop && node->loop->within(loop)) return true;
+    return false;
+  }
+
+  bool tryLoop(Loop *loop, const std::vector<size_t> &active, std::set<size_t> &changing) {
+    Region *outer = region_;
+    Region inner{loop, nullptr, outer, {}, {}, {}};
+    Node *trips = at(loop->trips);
+    inner.backward = graph_.loop(outer->backward, trips, !loop->down);
+    std::map<size_t, Node *> in;
+    for (size_t k : active) {
+      Node *init = finalAdjoint(outer, loop, k);
+      in[k] = changing.count(k) ? graph_.carry(inner.backward, init) : init;
+    }
+    region_ = &inner;
+    for (size_t k : active) contribute(loop->carried[k].out, in[k]);
+    sweepRegion();
+    size_t known = changing.size();
+    for (size_t k : active) {
+      auto found = inner.adjoint.find(loop->carried[k].in);
+      Node *out = found == inner.adjoint.end() ? graph_.number(0) : found->second;
+      if (changing.count(k))
+        graph_.setOut(in[k], out);
+      else if (out != in[k])
+        changing.insert(k);
+    }
+    region_ = outer;
+    if (changing.size() != known) return false;
+    for (size_t k : active)
+      contribute(loop->carried[k].init, changing.count(k) ? graph_.final(inner.backward, in[k]->which) : in[k]);
+    for (auto &[id, sum] : inner.sums) {
+      Node *carried = graph_.carry(inner.backward, graph_.number(0));
+      graph_.setOut(carried, graph_.add(carried, sum.second));
+      contribute(sum.first, graph_.final(inner.backward, carried->which));
+    }
+    return true;
+  }
+
+  Node *finalAdjoint(Region *outer, Loop *loop, size_t k) {
+    Node *final = graph_.final(loop, int(k));
+    auto found = outer->adjoint.find(final);
+    return found == outer->adjoint.end() || final->op != Node::Final ? graph_.number(0) : found->second;
+  }
+
+  Graph &graph_;
+  const std::vector<Seed> &seeds_;
+  const std::set<const Slot *> &wanted_;
+  Needed needed_;
+  std::unordered_set<const Node *> varied_;
+  Region *region_ = nullptr;
+  std::map<Array *, Array *> arrayAdjoints_;
+  std::map<Node *, Array *> tapes_;
+  std::map<Node *, bool> follows_;
+  std::unordered_map<Node *, std::vector<std::pair<Array *, const Write *>>> writes_;
+  bool writesKnown_ = false;
+  Graph::Replacement indices_;
+  Adjoints result_;
+};
+
+} // namespace
+
+Adjoints reverse(Graph &graph, const std::vector<Seed> &seeds, const std::set<const Slot *> &wanted) {
+  Graph::Making making(graph, nullptr, graph.loc);
+  return Sweep(graph, seeds, wanted).run();
+}
+
+} // namespace tlgen
