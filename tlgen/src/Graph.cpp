@@ -80,11 +80,19 @@ Node *Graph::make(Node n) {
   n.id = int(nodes_.size());
   n.guard = guard;
   n.loc = loc;
+  n.name = name;
   if (n.op == Node::Carried) n.loop = n.of;
   if (n.op == Node::Final) n.loop = n.of->outer;
+  if (n.op == Node::Read) n.loop = n.array->home;
   for (auto &[loop, factor] : n.terms) n.loop = deeper(n.loop, loop);
   for (const Node *arg : n.args) n.loop = deeper(n.loop, arg->loop);
   return known_[key] = &nodes_.emplace_back(std::move(n));
+}
+
+const Slot *Graph::slot(Slot s) {
+  for (const Slot &known : slots_)
+    if (known.kind == s.kind && known.text == s.text) return &known;
+  return &slots_.emplace_back(std::move(s));
 }
 
 Node *Graph::number(double value) {
@@ -312,8 +320,8 @@ Node *Graph::final(Loop *loop, int which) {
   return make(std::move(n));
 }
 
-Array *Graph::array(const std::string &name, long length) {
-  return &arrays_.emplace_back(Array{int(arrays_.size()), name, length, false, {}});
+Array *Graph::array(const std::string &label, long length) {
+  return &arrays_.emplace_back(Array{int(arrays_.size()), label, length, false, nullptr, {}});
 }
 
 Node *Graph::read(Array *array, Node *index) {

@@ -30,6 +30,7 @@ struct Slot {
   std::string text;     // Member: a C expression with a % for each index, "p->length[%]"
   bool integer = false; // Member: of integer type
   long length = 0;      // elements in all
+  const Variable *variable = nullptr; // Member: a constant of the source
 };
 
 // Conditions of the source under which a node is computed in the source, all of them together.
@@ -59,7 +60,7 @@ struct Node {
     Or,
     Select // args[0] ? args[1] : args[2]
   };
-  explicit Node(Op op) : op(op) {}
+  explicit Node(Op kind) : op(kind) {}
 
   Op op;
   double value = 0;
@@ -76,7 +77,8 @@ struct Node {
   int id = 0;           // in the order of making; arguments come first
   Loop *loop = nullptr; // the innermost loop it varies in, null outside of all
   const Guard *guard = nullptr;
-  Loc loc; // of the source that first asked for it
+  Loc loc;          // of the source that first asked for it
+  std::string name; // of the variable that first held it; may be empty
 
   bool isNumber() const { return op == Number; }
   bool is(double v) const { return op == Number && value == v; }
@@ -115,6 +117,7 @@ struct Array {
   std::string name;
   long length;
   bool summed = false; // elements start at zero and writes add
+  Loop *home = nullptr; // the loop in each iteration of which it is filled anew; null: once
   std::vector<Write> writes;
 };
 
@@ -147,7 +150,7 @@ public:
   Node *carry(Loop *loop, Node *init); // a new carried value; its out is to be set with setOut
   void setOut(Node *carried, Node *out) { carried->of->carried[size_t(carried->which)].out = out; }
   Node * final(Loop *loop, int which);
-  Array *array(const std::string &name, long length);
+  Array *array(const std::string &label, long length);
   void write(Array *array, Loop *loop, Node *index, Node *value) { array->writes.push_back({loop, index, value}); }
   Node *read(Array *array, Node *index);
 
@@ -160,7 +163,8 @@ public:
   // What new nodes are made for.
   const Guard *guard = nullptr;
   Loc loc;
-  // Sets both for the time that it lives.
+  std::string name;
+  // Sets guard and place for the time that it lives.
   struct Making {
     Making(Graph &graph, const Guard *guard, Loc loc) : graph(graph), guard(graph.guard), loc(graph.loc) {
       graph.guard = guard;
@@ -177,7 +181,7 @@ public:
   const Guard *under(const Guard *outer, Node *condition);    // outer and condition
   static bool covers(const Guard *outer, const Guard *inner); // whether inner holds only where outer does
 
-  Slot *slot(Slot s) { return &slots_.emplace_back(std::move(s)); }
+  const Slot *slot(Slot s); // the one of that kind and text
   const std::deque<Loop> &loops() const { return loops_; }
   const std::deque<Array> &arrays() const { return arrays_; }
   size_t size() const { return nodes_.size(); }

@@ -239,6 +239,7 @@ void Jets::finishWrite(Array *array, const Write &write) {
 Array *Jets::newArray(const Array *like, long length) {
   Array *array = graph_.array(like->name, length);
   array->summed = like->summed;
+  if (like->home) array->home = clones_.at(like->home);
   return array;
 }
 

@@ -134,8 +134,10 @@ private:
   }
 
   // Values that depend on what iterations carry are kept where making them again takes a function.
-  bool mustTape(Node *node) {
-    if (node->op == Node::Carried || node->op == Node::Final) return true;
+  bool mustTape(Node *node, bool all = true) {
+    if (!node->loop) return false;
+    if (node->op == Node::Carried || node->op == Node::Final || (node->op == Node::Read && node->array->home)) return true;
+    if (!all) return false;
     if (!followsCarried(node)) return false;
     if (node->op == Node::Math || node->op == Node::Recip || node->op == Node::Taylor) return true;
     return isCarriedOut(node);
@@ -150,7 +152,7 @@ private:
   bool followsCarried(Node *node) {
     auto known = follows_.find(node);
     if (known != follows_.end()) return known->second;
-    bool result = (node->op == Node::Carried || node->op == Node::Final) && node->loop;
+    bool result = mustTape(node, false);
     for (Node *arg : node->args)
       if (!result) result = followsCarried(arg);
     return follows_[node] = result;
@@ -198,7 +200,7 @@ private:
   void sweepNode(Node *node) {
     if (!varied_.count(node)) return;
     for (const auto &[array, write] : writesOf(node)) {
-      auto adjoint = arrayAdjoints_.find(array);
+      auto adjoint = arrayAdjoints_.find({array, backwardOf(array->home)});
       if (adjoint == arrayAdjoints_.end()) continue;
       contribute(node, graph_.read(adjoint->second, at(write->index)));
     }
@@ -210,16 +212,23 @@ private:
       for (Node *arg : node->args) indices.push_back(at(arg));
       result_.of[node->slot].push_back({region_->backward, indices, adjoint});
     } else if (node->op == Node::Read) {
-      Array *&of = arrayAdjoints_[node->array];
+      Array *&of = arrayAdjoints_[{node->array, backwardOf(node->array->home)}];
       if (!of) {
         of = graph_.array("adj_" + node->array->name, node->array->length);
         of->summed = true;
+        of->home = backwardOf(node->array->home);
       }
       graph_.write(of, region_->backward, at(node->args[0]), adjoint);
     } else if (node->op != Node::Carried && node->op != Node::Final) {
       Graph::Making making(graph_, guardAt(node->guard), node->loc);
       sweepOperation(node, adjoint);
     }
+  }
+
+  Loop *backwardOf(const Loop *forward) {
+    for (Region *r = region_; forward && r; r = r->outer)
+      if (r->forward == forward) return r->backward;
+    return nullptr;
   }
 
   std::vector<std::pair<Array *, const Write *>> writesOf(Node *node) {
@@ -349,7 +358,7 @@ private:
   Needed needed_;
   std::unordered_set<const Node *> varied_;
   Region *region_ = nullptr;
-  std::map<Array *, Array *> arrayAdjoints_;
+  std::map<std::pair<Array *, Loop *>, Array *> arrayAdjoints_; // by the loop in which they are filled
   std::map<Node *, Array *> tapes_;
   std::map<Node *, bool> follows_;
   std::unordered_map<Node *, std::vector<std::pair<Array *, const Write *>>> writes_;
