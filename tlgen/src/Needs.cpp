@@ -1,0 +1,297 @@
+// The formulas of each need.
+#include "Needs.h"
+
+namespace tlgen {
+
+std::vector<RowUpdate> Results::updates() const {
+  std::vector<RowUpdate> all;
+  for (const auto &part : jets) all.insert(all.end(), part->updates().begin(), part->updates().end());
+  return all;
+}
+
+Needs::Needs(Graph &graph, Equations equations, bool explicitColumns)
+    : graph_(graph), equations_(std::move(equations)), explicit_(explicitColumns) {
+  long m = rowsOf(equations_.holonomic) + rowsOf(equations_.nonholonomic);
+  q_ = slot(Slot::Q, equations_.n);
+  qd_ = slot(Slot::Qd, equations_.n);
+  t_ = slot(Slot::T, 1);
+  qdd_ = slot(Slot::Qdd, equations_.n);
+  lambda_ = slot(Slot::Lambda, m);
+}
+
+const Slot *Needs::slot(Slot::Kind kind, long length) {
+  Slot s;
+  s.kind = kind;
+  s.length = length;
+  return graph_.slot(s);
+}
+
+long Needs::rowsOf(const std::vector<Array *> &functions) const {
+  long rows = 0;
+  for (const Array *function : functions) rows += function->length;
+  return rows;
+}
+
+const Adjoints &Needs::adjoints() {
+  if (!adjoints_) {
+    adjoints_ = std::make_unique<Adjoints>(reverse(graph_, {{equations_.lagrangian, graph_.number(1)}}, {q_, qd_}));
+    if (adjoints_->noFormula) noFormula_ = adjoints_->noFormula;
+  }
+  return *adjoints_;
+}
+
+// The derivative of the sum of lambda times a constraint, by q for holonomic and by qd for other constraints: a part of A' lambda.
+const Adjoints &Needs::constraintAdjoints(bool holonomic) {
+  auto &known = constraintAdjoints_[holonomic];
+  if (!known) {
+    std::vector<Seed> seeds;
+    long offset = holonomic ? 0 : rowsOf(equations_.holonomic);
+    for (const Array *function : holonomic ? equations_.holonomic : equations_.nonholonomic) {
+      for (const Write &write : function->writes)
+        seeds.push_back({write.value, graph_.leaf(lambda_, {graph_.integerOp("+", graph_.integer(offset), write.index)})});
+      offset += function->length;
+    }
+    known = std::make_unique<Adjoints>(reverse(graph_, seeds, {holonomic ? q_ : qd_}));
+    if (known->noFormula) noFormula_ = known->noFormula;
+  }
+  return *known;
+}
+
+void Needs::collect(Parts &parts, const Adjoints &adjoints, const Slot *of, int power, double factor) {
+  auto known = adjoints.of.find(of);
+  if (known == adjoints.of.end()) return;
+  for (const Contribution &c : known->second) parts.push_back({c.loop, c.indices[0], {c.value, power, factor}});
+}
+
+void Needs::collect(Parts &parts, const Array *rows, int power, double factor, long offset) {
+  for (const Write &write : rows->writes)
+    parts.push_back({write.loop, graph_.integerOp("+", graph_.integer(offset), write.index), {write.value, power, factor}});
+}
+
+void Needs::collect(Parts &parts, const std::vector<Array *> &functions, int power, double factor, long offset) {
+  for (const Array *function : functions) {
+    collect(parts, function, power, factor, offset);
+    offset += function->length;
+  }
+}
+
+// r = M qdd - Q, minus the constraint forces where these are wanted.
+Needs::Parts Needs::residualParts(bool constraintForces) {
+  Parts parts;
+  collect(parts, adjoints(), qd_, 1, 1);
+  collect(parts, adjoints(), q_, 0, -1);
+  if (equations_.force) collect(parts, equations_.force, 0, -1, 0);
+  if (constraintForces && !equations_.holonomic.empty()) collect(parts, constraintAdjoints(true), q_, 0, -1);
+  if (constraintForces && !equations_.nonholonomic.empty()) collect(parts, constraintAdjoints(false), qd_, 0, -1);
+  return parts;
+}
+
+// A qdd - b: the second derivative in time of holonomic constraints, the first of others.
+Needs::Parts Needs::constraintParts() {
+  Parts parts;
+  collect(parts, equations_.holonomic, 2, 2, 0);
+  collect(parts, equations_.nonholonomic, 1, 1, rowsOf(equations_.holonomic));
+  return parts;
+}
+
+// Whether no element is written twice; covered: those that are written.
+bool Needs::separate(const std::vector<Output> &outputs, long count, std::vector<bool> &covered) const {
+  covered.assign(size_t(count), false);
+  for (const Output &output : outputs) {
+    const Node *index = output.index;
+    const Loop *loop = output.loop;
+    if (index->op != Node::Affine || index->terms.size() > 1) return false;
+    if (loop && (loop->outer || !loop->trips || !loop->trips->isConstant() || index->terms.empty())) return false;
+    long trips = loop ? loop->trips->offset : 1;
+    for (long k = 0; k < trips; ++k) {
+      long element = index->offset + (loop ? k * index->terms[0].second : 0);
+      if (element < 0 || element >= count || covered[size_t(element)]) return false;
+      covered[size_t(element)] = true;
+    }
+  }
+  return true;
+}
+
+// One output for all parts of an element. Elements without parts are zero; those with parts in several places are summed.
+void Needs::emit(std::vector<Output> &outputs, const Parts &parts, long count, Target target, bool upper) {
+  std::vector<Output> mine;
+  for (const Part &part : parts) {
+    Output *same = nullptr;
+    for (Output &output : mine)
+      if (output.loop == part.loop && output.index == part.index) same = &output;
+    if (!same) same = &mine.emplace_back(Output{part.loop, part.index, {}, target.scalar, target.row, target.matrix, upper});
+    same->terms.push_back(part.term);
+  }
+  std::vector<bool> covered;
+  if (separate(mine, count, covered)) {
+    for (long k = 0; k < count; ++k)
+      if (!covered[size_t(k)]) mine.push_back({nullptr, graph_.integer(k), {}, target.scalar, target.row, target.matrix, upper});
+  } else {
+    if (target.scalar) target.scalar->summed = true;
+    if (target.matrix) target.matrix->summed = true;
+    if (target.row) target.row->summed = true;
+  }
+  outputs.insert(outputs.end(), mine.begin(), mine.end());
+}
+
+void Needs::addScalar(Results &results, std::vector<Output> &outputs, const std::string &name, const Parts &parts, long count) {
+  if (!count) return;
+  Target target;
+  target.scalar = results.arrays[name] = graph_.array(name, count);
+  emit(outputs, parts, count, target, false);
+}
+
+void Needs::addMatrix(Results &results, Jets &jets, std::vector<Output> &outputs, const std::string &name, const Parts &parts,
+                      long count, long columns, bool explicitColumns, bool upper) {
+  if (!count || !columns) return;
+  Target target;
+  if (explicitColumns)
+    target.matrix = results.arrays[name] = graph_.array(name, count * columns);
+  else
+    target.row = results.rows[name] = jets.row(name, count);
+  emit(outputs, parts, count, target, upper);
+}
+
+Results Needs::energy() {
+  Results results;
+  auto fixed = [](Node *) { return LeafJet(); };
+  auto &jets = results.jets.emplace_back(std::make_unique<Jets>(graph_, fixed, 1, 0, true));
+  std::vector<Output> outputs;
+  Parts momentum;
+  collect(momentum, adjoints(), qd_, 0, 1);
+  addScalar(results, outputs, "momentum", momentum, equations_.n);
+  addScalar(results, outputs, "lagrangian", {{nullptr, graph_.integer(0), {equations_.lagrangian, 0, 1}}}, 1);
+  jets->run(outputs);
+  return results;
+}
+
+Results Needs::simulate() {
+  Results results;
+  long n = equations_.n, m1 = rowsOf(equations_.holonomic), m2 = rowsOf(equations_.nonholonomic);
+  Node *one = graph_.number(1);
+  // At rest in qdd: the curve q + s qd. Tangents of velocities give M and dpsi/dqd, those of coordinates dphi/dq.
+  auto curve = [=](Node *leaf, Slot::Kind varied) {
+    LeafJet jet;
+    if (leaf->slot == q_) jet.s = element(qd_, leaf);
+    if (leaf->slot == t_) jet.s = one;
+    if (leaf->slot->kind == varied) jet.tangents[0].push_back({leaf->args[0], one});
+    return jet;
+  };
+  auto velocities = [=](Node *leaf) { return curve(leaf, Slot::Qd); };
+  auto coordinates = [=](Node *leaf) { return curve(leaf, Slot::Q); };
+  auto &jets = results.jets.emplace_back(std::make_unique<Jets>(graph_, velocities, 2, n, explicit_));
+  std::vector<Output> outputs;
+  Parts momentum, force, psi, b;
+  collect(momentum, adjoints(), qd_, 0, 1);
+  collect(force, adjoints(), q_, 0, 1);
+  collect(force, adjoints(), qd_, 1, -1);
+  if (equations_.force) collect(force, equations_.force, 0, 1, 0);
+  addMatrix(results, *jets, outputs, "M", momentum, n, n, explicit_, true);
+  addScalar(results, outputs, "Q", force, n);
+  collect(psi, equations_.nonholonomic, 0, 1, 0);
+  collect(b, equations_.nonholonomic, 1, -1, 0);
+  addScalar(results, outputs, "psi", psi, m2);
+  addScalar(results, outputs, "b_psi", b, m2);
+  addMatrix(results, *jets, outputs, "A_psi", psi, m2, n, explicit_);
+  jets->run(outputs);
+  if (m1) {
+    auto &along = results.jets.emplace_back(std::make_unique<Jets>(graph_, coordinates, 3, n, explicit_));
+    std::vector<Output> rows;
+    Parts phi, first, second;
+    collect(phi, equations_.holonomic, 0, 1, 0);
+    collect(first, equations_.holonomic, 1, 1, 0);
+    collect(second, equations_.holonomic, 2, -2, 0);
+    addScalar(results, rows, "phi", phi, m1);
+    addScalar(results, rows, "phi_dot", first, m1);
+    addScalar(results, rows, "b_phi", second, m1);
+    addMatrix(results, *along, rows, "A_phi", phi, m1, n, explicit_);
+    along->run(rows);
+  }
+  return results;
+}
+
+LeafJet Needs::motion(Node *leaf) {
+  LeafJet jet;
+  if (leaf->slot == q_) {
+    jet.s = element(qd_, leaf);
+    jet.s2 = graph_.scale(0.5, element(qdd_, leaf));
+  }
+  if (leaf->slot == qd_) jet.s = element(qdd_, leaf);
+  if (leaf->slot == t_) jet.s = graph_.number(1);
+  return jet;
+}
+
+Results Needs::residual() {
+  Results results;
+  auto &jets = results.jets.emplace_back(std::make_unique<Jets>(graph_, [this](Node *leaf) { return motion(leaf); }, 2, 0, true));
+  std::vector<Output> outputs;
+  addScalar(results, outputs, "r", residualParts(false), equations_.n);
+  jets->run(outputs);
+  return results;
+}
+
+// The tangents of r - A' lambda and of A qdd - b.
+Results Needs::derivatives(const std::string &suffix, std::function<LeafJet(Node *)> inputs, long columns, bool explicitColumns) {
+  Results results;
+  long m1 = rowsOf(equations_.holonomic), m2 = rowsOf(equations_.nonholonomic);
+  auto &jets = results.jets.emplace_back(std::make_unique<Jets>(graph_, std::move(inputs), m1 ? 3 : 2, columns, explicitColumns));
+  std::vector<Output> outputs;
+  addMatrix(results, *jets, outputs, "r_" + suffix, residualParts(true), equations_.n, columns, explicitColumns);
+  addMatrix(results, *jets, outputs, "g_" + suffix, constraintParts(), m1 + m2, columns, explicitColumns);
+  jets->run(outputs);
+  return results;
+}
+
+Results Needs::linearise() {
+  long n = equations_.n;
+  auto column = [=](Node *index, bool velocity) { // rows: interleaved, so that a coordinate's columns stand together
+    if (explicit_) return graph_.integerOp("+", index, graph_.integer(velocity ? n : 0));
+    return graph_.integerOp("+", graph_.integerOp("*", graph_.integer(2), index), graph_.integer(velocity));
+  };
+  Node *one = graph_.number(1);
+  auto inputs = [=](Node *leaf) {
+    LeafJet jet = motion(leaf);
+    if (leaf->slot == q_) {
+      jet.tangents[0].push_back({column(leaf->args[0], false), one});
+      jet.tangents[1].push_back({column(leaf->args[0], true), one});
+    }
+    if (leaf->slot == qd_) jet.tangents[0].push_back({column(leaf->args[0], true), one});
+    return jet;
+  };
+  return derivatives("y", inputs, 2 * n, explicit_);
+}
+
+Results Needs::tangent() {
+  long n = equations_.n;
+  const Slot *w = slot(Slot::Direction, 2 * n);
+  Node *only = graph_.integer(0);
+  auto inputs = [=](Node *leaf) {
+    LeafJet jet = motion(leaf);
+    if (leaf->slot != q_ && leaf->slot != qd_) return jet;
+    Node *rate = graph_.leaf(w, {graph_.integerOp("+", leaf->args[0], graph_.integer(n))});
+    if (leaf->slot == q_) {
+      jet.tangents[0].push_back({only, graph_.leaf(w, {leaf->args[0]})});
+      jet.tangents[1].push_back({only, rate});
+    } else {
+      jet.tangents[0].push_back({only, rate});
+    }
+    return jet;
+  };
+  return derivatives("w", inputs, 1, true);
+}
+
+Results Needs::parameters(const std::vector<ParameterColumns> &by, long columns) {
+  Node *one = graph_.number(1);
+  auto inputs = [=](Node *leaf) {
+    LeafJet jet = motion(leaf);
+    for (const ParameterColumns &p : by)
+      if (leaf->slot == p.slot) {
+        Node *column = leaf->args.empty() ? graph_.integer(0) : leaf->args[0];
+        jet.tangents[0].push_back({graph_.integerOp("+", column, graph_.integer(p.column)), one});
+      }
+    return jet;
+  };
+  return derivatives("p", inputs, columns, explicit_);
+}
+
+} // namespace tlgen
