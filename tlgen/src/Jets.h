@@ -69,7 +69,7 @@ struct Term {
 };
 
 // Something to be computed: element index of a result, once for each iteration of loop.
-struct Output {
+struct JetOutput {
   Loop *loop;
   Node *index;
   std::vector<Term> terms;
@@ -87,7 +87,7 @@ public:
   Row *row(const std::string &name, long count);
 
   // Computes the outputs: leaves Writes in their arrays, and updates.
-  void run(const std::vector<Output> &outputs);
+  void run(const std::vector<JetOutput> &outputs);
 
   // Of values outside of loops, and after run.
   Node *coefficient(Node *node, int power);
@@ -146,7 +146,7 @@ private:
   const Direction *carriedRow(Loop *loop, size_t k, int power, bool updated);
   Tangents keepUpdated(Loop *loop, size_t k, int power, Tangents sum);
   void finishLoop(Loop *loop, size_t firstUpdate);
-  void finishOutput(const Output &output);
+  void finishOutput(const JetOutput &output);
   void finishWrites(Loop *loop);
   void finishWrite(Array *array, const Write &write);
   Array *newArray(const Array *like, long length);
@@ -160,7 +160,7 @@ private:
   long columns_;
   bool explicit_;
   const Needed *needed_ = nullptr;
-  const std::vector<Output> *outputs_ = nullptr;
+  const std::vector<JetOutput> *outputs_ = nullptr;
   std::unordered_map<Node *, Info> info_;
   std::map<const Loop *, Loop *> clones_;
   std::map<std::pair<const Loop *, std::pair<size_t, int>>, Row *> carriedRows_; // of new loops

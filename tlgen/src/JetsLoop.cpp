@@ -34,9 +34,9 @@ struct Fresh {
 
 } // namespace
 
-void Jets::run(const std::vector<Output> &outputs) {
+void Jets::run(const std::vector<JetOutput> &outputs) {
   std::vector<Node *> wanted;
-  for (const Output &output : outputs) {
+  for (const JetOutput &output : outputs) {
     wanted.push_back(output.index);
     for (const Term &term : output.terms) wanted.push_back(term.value);
   }
@@ -139,7 +139,7 @@ bool Jets::tryLoop(Loop *loop, std::vector<Present> &present) {
 
 void Jets::finishLoop(Loop *loop, size_t firstUpdate) {
   if (loop) finishWrites(loop);
-  for (const Output &output : *outputs_)
+  for (const JetOutput &output : *outputs_)
     if (output.loop == loop) finishOutput(output);
   if (loop) boundUpdates(clones_.at(loop), firstUpdate);
 }
@@ -311,7 +311,7 @@ bool Jets::storeView(Stored &stored, const Write &write, int power) {
   return true;
 }
 
-void Jets::finishOutput(const Output &output) {
+void Jets::finishOutput(const JetOutput &output) {
   Loop *clone = output.loop ? clones_.at(output.loop) : nullptr;
   Node *index = value(output.index);
   if (output.scalar) {

@@ -95,9 +95,9 @@ Needs::Parts Needs::constraintParts() {
 }
 
 // Whether no element is written twice; covered: those that are written.
-bool Needs::separate(const std::vector<Output> &outputs, long count, std::vector<bool> &covered) const {
+bool Needs::separate(const std::vector<JetOutput> &outputs, long count, std::vector<bool> &covered) const {
   covered.assign(size_t(count), false);
-  for (const Output &output : outputs) {
+  for (const JetOutput &output : outputs) {
     const Node *index = output.index;
     const Loop *loop = output.loop;
     if (index->op != Node::Affine || index->terms.size() > 1) return false;
@@ -113,13 +113,13 @@ bool Needs::separate(const std::vector<Output> &outputs, long count, std::vector
 }
 
 // One output for all parts of an element. Elements without parts are zero; those with parts in several places are summed.
-void Needs::emit(std::vector<Output> &outputs, const Parts &parts, long count, Target target, bool upper) {
-  std::vector<Output> mine;
+void Needs::emit(std::vector<JetOutput> &outputs, const Parts &parts, long count, Target target, bool upper) {
+  std::vector<JetOutput> mine;
   for (const Part &part : parts) {
-    Output *same = nullptr;
-    for (Output &output : mine)
+    JetOutput *same = nullptr;
+    for (JetOutput &output : mine)
       if (output.loop == part.loop && output.index == part.index) same = &output;
-    if (!same) same = &mine.emplace_back(Output{part.loop, part.index, {}, target.scalar, target.row, target.matrix, upper});
+    if (!same) same = &mine.emplace_back(JetOutput{part.loop, part.index, {}, target.scalar, target.row, target.matrix, upper});
     same->terms.push_back(part.term);
   }
   std::vector<bool> covered;
@@ -134,14 +134,14 @@ void Needs::emit(std::vector<Output> &outputs, const Parts &parts, long count, T
   outputs.insert(outputs.end(), mine.begin(), mine.end());
 }
 
-void Needs::addScalar(Results &results, std::vector<Output> &outputs, const std::string &name, const Parts &parts, long count) {
+void Needs::addScalar(Results &results, std::vector<JetOutput> &outputs, const std::string &name, const Parts &parts, long count) {
   if (!count) return;
   Target target;
   target.scalar = results.arrays[name] = graph_.array(name, count);
   emit(outputs, parts, count, target, false);
 }
 
-void Needs::addMatrix(Results &results, Jets &jets, std::vector<Output> &outputs, const std::string &name, const Parts &parts,
+void Needs::addMatrix(Results &results, Jets &jets, std::vector<JetOutput> &outputs, const std::string &name, const Parts &parts,
                       long count, long columns, bool explicitColumns, bool upper) {
   if (!count || !columns) return;
   Target target;
@@ -156,7 +156,7 @@ Results Needs::energy() {
   Results results;
   auto fixed = [](Node *) { return LeafJet(); };
   auto &jets = results.jets.emplace_back(std::make_unique<Jets>(graph_, fixed, 1, 0, true));
-  std::vector<Output> outputs;
+  std::vector<JetOutput> outputs;
   Parts momentum;
   collect(momentum, adjoints(), qd_, 0, 1);
   addScalar(results, outputs, "momentum", momentum, equations_.n);
@@ -180,7 +180,7 @@ Results Needs::simulate() {
   auto velocities = [=](Node *leaf) { return curve(leaf, Slot::Qd); };
   auto coordinates = [=](Node *leaf) { return curve(leaf, Slot::Q); };
   auto &jets = results.jets.emplace_back(std::make_unique<Jets>(graph_, velocities, 2, n, explicit_));
-  std::vector<Output> outputs;
+  std::vector<JetOutput> outputs;
   Parts momentum, force, psi, b;
   collect(momentum, adjoints(), qd_, 0, 1);
   collect(force, adjoints(), q_, 0, 1);
@@ -196,7 +196,7 @@ Results Needs::simulate() {
   jets->run(outputs);
   if (m1) {
     auto &along = results.jets.emplace_back(std::make_unique<Jets>(graph_, coordinates, 3, n, explicit_));
-    std::vector<Output> rows;
+    std::vector<JetOutput> rows;
     Parts phi, first, second;
     collect(phi, equations_.holonomic, 0, 1, 0);
     collect(first, equations_.holonomic, 1, 1, 0);
@@ -224,7 +224,7 @@ LeafJet Needs::motion(Node *leaf) {
 Results Needs::residual() {
   Results results;
   auto &jets = results.jets.emplace_back(std::make_unique<Jets>(graph_, [this](Node *leaf) { return motion(leaf); }, 2, 0, true));
-  std::vector<Output> outputs;
+  std::vector<JetOutput> outputs;
   addScalar(results, outputs, "r", residualParts(false), equations_.n);
   jets->run(outputs);
   return results;
@@ -235,7 +235,7 @@ Results Needs::derivatives(const std::string &suffix, std::function<LeafJet(Node
   Results results;
   long m1 = rowsOf(equations_.holonomic), m2 = rowsOf(equations_.nonholonomic);
   auto &jets = results.jets.emplace_back(std::make_unique<Jets>(graph_, std::move(inputs), m1 ? 3 : 2, columns, explicitColumns));
-  std::vector<Output> outputs;
+  std::vector<JetOutput> outputs;
   addMatrix(results, *jets, outputs, "r_" + suffix, residualParts(true), equations_.n, columns, explicitColumns);
   addMatrix(results, *jets, outputs, "g_" + suffix, constraintParts(), m1 + m2, columns, explicitColumns);
   jets->run(outputs);

@@ -72,10 +72,10 @@ private:
   long rowsOf(const std::vector<Array *> &functions) const;
   Parts residualParts(bool constraintForces);
   Parts constraintParts();
-  void emit(std::vector<Output> &outputs, const Parts &parts, long count, Target target, bool upper);
-  bool separate(const std::vector<Output> &outputs, long count, std::vector<bool> &covered) const;
-  void addScalar(Results &results, std::vector<Output> &outputs, const std::string &name, const Parts &parts, long count);
-  void addMatrix(Results &results, Jets &jets, std::vector<Output> &outputs, const std::string &name, const Parts &parts, long count,
+  void emit(std::vector<JetOutput> &outputs, const Parts &parts, long count, Target target, bool upper);
+  bool separate(const std::vector<JetOutput> &outputs, long count, std::vector<bool> &covered) const;
+  void addScalar(Results &results, std::vector<JetOutput> &outputs, const std::string &name, const Parts &parts, long count);
+  void addMatrix(Results &results, Jets &jets, std::vector<JetOutput> &outputs, const std::string &name, const Parts &parts, long count,
                  long columns, bool explicitColumns, bool upper = false);
   Results derivatives(const std::string &suffix, std::function<LeafJet(Node *)> inputs, long columns, bool explicitColumns);
   LeafJet motion(Node *leaf); // along the motion with accelerations qdd
