@@ -27,9 +27,9 @@ struct Slot {
     Direction, // w of a tangent: args {row of 2n, column}
     Member,    // of the parameter struct, or a constant of the source
   } kind = Q;
-  std::string text;     // Member: a C expression with a % for each index, "p->length[%]"
-  bool integer = false; // Member: of integer type
-  long length = 0;      // elements in all
+  std::string text;                   // Member: a C expression with a % for each index, "p->length[%]"
+  bool integer = false;               // Member: of integer type
+  long length = 0;                    // elements in all
   const Variable *variable = nullptr; // Member: a constant of the source
 };
 
@@ -116,7 +116,7 @@ struct Array {
   int id;
   std::string name;
   long length;
-  bool summed = false; // elements start at zero and writes add
+  bool summed = false;  // elements start at zero and writes add
   Loop *home = nullptr; // the loop in each iteration of which it is filled anew; null: once
   std::vector<Write> writes;
 };

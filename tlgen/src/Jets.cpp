@@ -40,19 +40,23 @@ Node *Jets::compute(Node *node, int power) { return power ? computeHigher(node, 
 
 Node *Jets::computeValue(Node *node) {
   switch (node->op) {
-  case Node::Number: return node;
+  case Node::Number:
+    return node;
   case Node::Affine: {
     Graph::Replacement by;
     for (auto &[loop, factor] : node->terms) by[loop->index] = clones_.at(loop)->index;
     return graph_.replace(node, by);
   }
-  case Node::Carried: return node; // of a loop that is not made anew: not reached
+  case Node::Carried:
+    return node; // of a loop that is not made anew: not reached
   case Node::Final: {
     Node *in = coefficient(node->of->carried[size_t(node->which)].in, 0);
     return graph_.final(in->of, in->which);
   }
-  case Node::Read: return graph_.read(stored(node->array).c[0], value(node->args[0]));
-  default: break;
+  case Node::Read:
+    return graph_.read(stored(node->array).c[0], value(node->args[0]));
+  default:
+    break;
   }
   std::vector<Node *> args;
   for (Node *arg : node->args) args.push_back(value(arg));
@@ -78,7 +82,8 @@ Node *Jets::computeHigher(Node *node, int power) {
     Array *array = stored(node->array).c[power];
     return array ? graph_.read(array, value(args[0])) : sum;
   }
-  case Node::Add: return graph_.add(c(args[0], power), c(args[1], power));
+  case Node::Add:
+    return graph_.add(c(args[0], power), c(args[1], power));
   case Node::Mul:
     for (int k = 0; k <= power; ++k) plus(c(args[0], k), c(args[1], power - k));
     return sum;
@@ -94,8 +99,10 @@ Node *Jets::computeHigher(Node *node, int power) {
         if (Node *partial = derivative(graph_, node, i)) plus(graph_.scale(double(k) / power, c(partial, power - k)), x);
       }
     return sum;
-  case Node::Select: return graph_.select(value(args[0]), c(args[1], power), c(args[2], power));
-  default: return sum;
+  case Node::Select:
+    return graph_.select(value(args[0]), c(args[1], power), c(args[2], power));
+  default:
+    return sum;
   }
 }
 
@@ -129,8 +136,10 @@ Tangents Jets::computeTangents(Node *node, int power) {
   case Node::Leaf:
     for (auto &[column, value] : inputs_(value(node)).tangents[power]) sum[this->column(column)] = value;
     return sum;
-  case Node::Final: return finalTangents(node, power);
-  case Node::Read: return readTangents(node, power);
+  case Node::Final:
+    return finalTangents(node, power);
+  case Node::Read:
+    return readTangents(node, power);
   case Node::Add:
     accumulate(sum, one, tangents(args[0], power));
     accumulate(sum, one, tangents(args[1], power));
@@ -169,7 +178,8 @@ Tangents Jets::computeTangents(Node *node, int power) {
       for (auto &[direction, value] : *t) sum[direction] = graph_.select(condition, of(a, direction), of(b, direction));
     return sum;
   }
-  default: return sum;
+  default:
+    return sum;
   }
 }
 

@@ -24,18 +24,18 @@ struct Row {
   int id;
   std::string name;
   long count;
-  Loop *carriedBy;   // the loop that carries it, null for tapes and results
-  bool summed;       // starts at zero, and updates add
-  bool result;       // a result of the function
+  Loop *carriedBy; // the loop that carries it, null for tapes and results
+  bool summed;     // starts at zero, and updates add
+  bool result;     // a result of the function
 };
 
 struct Direction {
   int id;
-  Node *column;     // null for a row
+  Node *column; // null for a row
   Row *row;
-  Node *index;      // which of the rows; null where there is one
-  Node *bound;      // columns from here on count as zero; null: none
-  bool updated;     // of a carried row: as this iteration leaves it, but for single columns; not as it found it
+  Node *index;  // which of the rows; null where there is one
+  Node *bound;  // columns from here on count as zero; null: none
+  bool updated; // of a carried row: as this iteration leaves it, but for single columns; not as it found it
 };
 
 struct ByNumber {
@@ -110,13 +110,13 @@ private:
   };
   struct Stored { // an array of the source in memory
     Array *c[POWERS] = {};
-    Row *rows[POWERS] = {};                               // general tangents
+    Row *rows[POWERS] = {};                                  // general tangents
     std::vector<std::pair<Node *, Array *>> columns[POWERS]; // local ones: column as a function of iteration, and factors
-    Row *view[POWERS] = {};                               // the first columns of a row that a loop has carried
-    Node *bound[POWERS] = {};                             // of rows and views, as a function of iteration
-    Array *wide[POWERS] = {};                             // explicit columns of arrays that are written in several places
-    Loop *loop = nullptr;                                 // the loop that the functions of iteration refer to
-    bool rootDone = false;                                // what is written outside of loops
+    Row *view[POWERS] = {};                                  // the first columns of a row that a loop has carried
+    Node *bound[POWERS] = {};                                // of rows and views, as a function of iteration
+    Array *wide[POWERS] = {};                                // explicit columns of arrays that are written in several places
+    Loop *loop = nullptr;                                    // the loop that the functions of iteration refer to
+    bool rootDone = false;                                   // what is written outside of loops
   };
 
   const Direction *direction(Direction d);

@@ -74,8 +74,8 @@ Jets::Stored &Jets::stored(Array *array) {
   return stored_[array];
 }
 
-// The loop anew. A coefficient of a carried value is there where it is not zero at first or after an iteration: taken for absent until it
-// is seen.
+// The loop anew. A coefficient of a carried value is there where it is not zero at first or after an iteration: taken for absent until
+// it is seen.
 void Jets::runLoop(Loop *loop) {
   std::vector<Present> present(loop->carried.size());
   for (size_t k = 0; k < present.size(); ++k) {
@@ -271,7 +271,8 @@ void Jets::storeTangents(Stored &stored, Array *array, const Write &write, int p
     return;
   }
   if (!several && storeView(stored, write, power)) return;
-  if (!stored.rows[power]) stored.rows[power] = &rows_.emplace_back(Row{int(rows_.size()), array->name, array->length, nullptr, array->summed, false});
+  if (!stored.rows[power])
+    stored.rows[power] = &rows_.emplace_back(Row{int(rows_.size()), array->name, array->length, nullptr, array->summed, false});
   updates_.push_back({stored.loop, stored.rows[power], index, array->summed, false, nullptr, nullptr, t});
 }
 

@@ -16,7 +16,7 @@ namespace tlgen {
 struct Equations {
   long n = 0;
   Node *lagrangian = nullptr;
-  Array *force = nullptr;                      // null: none
+  Array *force = nullptr;                       // null: none
   std::vector<Array *> holonomic, nonholonomic; // one per function
 };
 

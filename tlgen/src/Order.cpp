@@ -51,7 +51,8 @@ struct Item {
   const Loop *loop;
   const Loop *region() const { return node ? node->loop : loop->outer; }
   bool operator<(const Item &o) const {
-    return std::make_tuple(node ? node->id : -1, loop ? loop->id : -1) < std::make_tuple(o.node ? o.node->id : -1, o.loop ? o.loop->id : -1);
+    return std::make_tuple(node ? node->id : -1, loop ? loop->id : -1) <
+           std::make_tuple(o.node ? o.node->id : -1, o.loop ? o.loop->id : -1);
   }
   bool operator==(const Item &o) const { return node == o.node && loop == o.loop; }
 };

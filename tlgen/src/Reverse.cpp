@@ -17,8 +17,10 @@ bool differentiable(const Node *node) {
   case Node::Recip:
   case Node::Math:
   case Node::Taylor:
-  case Node::Select: return true;
-  default: return false;
+  case Node::Select:
+    return true;
+  default:
+    return false;
   }
 }
 
@@ -41,7 +43,7 @@ private:
   struct Region {
     Loop *forward, *backward;
     Region *outer;
-    std::unordered_map<Node *, Node *> adjoint; // of the forward loop's own nodes
+    std::unordered_map<Node *, Node *> adjoint;    // of the forward loop's own nodes
     std::map<int, std::pair<Node *, Node *>> sums; // by number: nodes of outer loops, and what an iteration adds to their adjoints
     Graph::Replacement at;                         // nodes of the forward loop in the backward one
   };
@@ -268,7 +270,8 @@ private:
       contribute(args[2], graph_.select(condition, zero, adjoint));
       return;
     }
-    default: break;
+    default:
+      break;
     }
     for (size_t k = 0; k < args.size(); ++k) {
       if (!varied_.count(args[k])) continue;
@@ -336,8 +339,7 @@ private:
     }
     region_ = outer;
     if (changing.size() != known) return false;
-    for (size_t k : active)
-      contribute(loop->carried[k].init, changing.count(k) ? graph_.final(inner.backward, in[k]->which) : in[k]);
+    for (size_t k : active) contribute(loop->carried[k].init, changing.count(k) ? graph_.final(inner.backward, in[k]->which) : in[k]);
     for (auto &[id, sum] : inner.sums) {
       Node *carried = graph_.carry(inner.backward, graph_.number(0));
       graph_.setOut(carried, graph_.add(carried, sum.second));

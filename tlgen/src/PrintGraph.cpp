@@ -1,0 +1,513 @@
+// C from a graph: expressions, statements, loops.
+#include "PrintGraph.h"
+
+#include <algorithm>
+#include <cstdio>
+#include <cstdlib>
+
+namespace tlgen {
+namespace {
+
+const size_t longestExpression = 100; // characters; what is longer is taken apart
+const long longestLocal = 64;         // numbers of an array on the stack
+
+std::string blanks(int n) { return std::string(size_t(n), ' '); }
+
+bool isTruth(const Node *n) { return n->op == Node::Compare || n->op == Node::Not || n->op == Node::And || n->op == Node::Or; }
+
+// Values whose text is as good as a name, wherever and however often it is used.
+bool isPlain(const Node *n) {
+  switch (n->op) {
+  case Node::Number:
+  case Node::Affine:
+  case Node::Leaf:
+  case Node::Carried:
+  case Node::Final:
+    return true;
+  case Node::Convert:
+    return isPlain(n->args[0]);
+  default:
+    return false;
+  }
+}
+
+bool isNegative(const Node *n) {
+  return n->isNumber() ? n->value < 0 : n->op == Node::Mul && n->args[0]->isNumber() && n->args[0]->value < 0;
+}
+
+} // namespace
+
+std::string numberText(double value) {
+  char text[32];
+  for (int digits = 1; digits <= 17; ++digits) {
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    if (std::strtod(text, nullptr) == value) break;
+  }
+  std::string s = text;
+  return s.find_first_of(".en") == std::string::npos ? s + ".0" : s;
+}
+
+bool isInteger(const Node *n) {
+  switch (n->op) {
+  case Node::Affine:
+  case Node::Integer:
+    return true;
+  case Node::Convert:
+    return n->text != "tl_real";
+  case Node::Leaf:
+    return n->slot->integer;
+  case Node::Carried:
+  case Node::Final:
+    return isInteger(n->of->carried[size_t(n->which)].init);
+  case Node::Select:
+    return isInteger(n->args[1]);
+  default:
+    return isTruth(n);
+  }
+}
+
+size_t Sites::number(const Node *node) {
+  std::string function = node->op == Node::Recip ? "div" : node->op == Node::Taylor ? "compose" : node->text;
+  for (size_t i = 0; i < sites_.size(); ++i)
+    if (sites_[i].function == function && sites_[i].loc.file == node->loc.file && sites_[i].loc.line == node->loc.line) return i + 1;
+  sites_.push_back({function, node->loc});
+  return sites_.size();
+}
+
+GraphPrinter::GraphPrinter(Schedule &schedule, const Program &program, Sites &sites, std::set<std::string> taken)
+    : schedule_(schedule), program_(program), sites_(sites), taken_(std::move(taken)) {}
+
+std::string GraphPrinter::fresh(const std::string &wish) {
+  std::string name = wish;
+  for (int n = 2; !taken_.insert(name).second; ++n) name = wish + std::to_string(n);
+  return name;
+}
+
+std::string GraphPrinter::arrayName(const Array *a) {
+  std::string &name = arrayNames_[a];
+  if (name.empty()) {
+    name = fresh(a->name.empty() ? "kept" : a->name);
+    declared_.push_back(a);
+    if (a->length > longestLocal) workspace_ += (a->length + 7) / 8 * 8;
+  }
+  return name;
+}
+
+std::string GraphPrinter::phase(size_t number) {
+  blocks_ = schedule_.order(number);
+  return block(nullptr, 2);
+}
+
+std::string GraphPrinter::declarations() const {
+  std::string s;
+  long offset = 0;
+  for (const Array *a : declared_) {
+    const std::string &name = arrayNames_.at(a);
+    if (a->length <= longestLocal) {
+      s += "  tl_real " + name + "[" + std::to_string(a->length) + "];\n";
+      continue;
+    }
+    s += "  tl_real *const restrict " + name + " = work + " + std::to_string(offset) + ";\n";
+    offset += (a->length + 7) / 8 * 8;
+  }
+  std::string outside;
+  for (size_t site : failing_) outside += (outside.empty() ? "" : ", ") + ("outside" + std::to_string(site)) + " = 0";
+  return s + (outside.empty() ? "" : "  int " + outside + ";\n");
+}
+
+std::string GraphPrinter::returnSite() const {
+  std::string any, which;
+  for (size_t site : failing_) {
+    std::string number = std::to_string(site);
+    any += (any.empty() ? "" : " | ") + ("outside" + number);
+    which += site == *failing_.rbegin() ? number : "outside" + number + " ? " + number + " : ";
+  }
+  return any.empty() ? "" : "  if (" + any + ") return " + which + ";\n";
+}
+
+std::string GraphPrinter::block(const Loop *loop, int indent) {
+  std::string s;
+  auto at = blocks_.find(loop);
+  if (at == blocks_.end()) return s;
+  for (const Item &i : at->second) s += item(i, indent);
+  return s;
+}
+
+std::string GraphPrinter::item(const Item &i, int indent) {
+  switch (i.kind) {
+  case Item::Value:
+    return value(i.node, indent);
+  case Item::Repeat:
+    return loopText(i.loop, indent);
+  case Item::Leave:
+    return blanks(indent) + element(i.array, i.write->index) + (i.array->summed ? " += " : " = ") + real(i.write->value).s + ";\n";
+  case Item::Start:
+  case Item::Rows:
+    return rows_ ? rows_(i.loop, i.kind == Item::Start, indent) : "";
+  case Item::Evaluate:
+    return batch(*i.batch, indent);
+  case Item::Test:
+    return check(*i.check, indent);
+  case Item::Clear:
+    return clear(i.array, indent);
+  case Item::Condition:
+    return blanks(indent) + "if (" + unaryText("!", show(i.loop->condition).text).s + ") break;\n";
+  }
+  return "";
+}
+
+bool GraphPrinter::mustBeNamed(const Node *n, const Shown &shown) const {
+  if (isPlain(n)) return false;
+  bool atomic = shown.text.s.find_first_of(" (") == std::string::npos;
+  if (schedule_.place(n) || (n->op == Node::Mul && n->args[0]->is(-1) && atomic)) return false;
+  return !schedule_.isUsedOnce(n) || shown.text.s.size() > longestExpression;
+}
+
+// Keeps the text of a value that is used once for its user; gives others a name.
+std::string GraphPrinter::value(const Node *n, int indent) {
+  std::string before = n->op == Node::Taylor ? external(n, indent) : "";
+  Shown shown = compute(n);
+  if (!mustBeNamed(n, shown)) {
+    shown_[n] = shown;
+    return before;
+  }
+  std::string name = n->name.empty() ? fresh("t" + std::to_string(++temporaries_)) : fresh(n->name);
+  shown_[n] = {{name, Primary}, {}};
+  std::string type = isTruth(n) ? "int" : isInteger(n) ? "long" : "tl_real";
+  return before + quote(n->loc, indent) + blanks(indent) + "const " + type + " " + name + " = " + shown.text.s + ";\n";
+}
+
+std::string GraphPrinter::quote(const Loc &loc, int indent) {
+  if (loc.file < 0 || !loc.line || (loc.file == quoted_.file && loc.line == quoted_.line)) return "";
+  quoted_ = loc;
+  const auto &lines = program_.sources[size_t(loc.file)];
+  std::string s = program_.files[size_t(loc.file)] + ":" + std::to_string(loc.line);
+  if (quotedBefore_.insert({loc.file, loc.line}).second && loc.line <= lines.size()) s += ": " + commentText(lines[loc.line - 1]);
+  return blanks(indent) + "/* " + s + " */\n";
+}
+
+GraphPrinter::Shown GraphPrinter::show(const Node *n) {
+  auto at = shown_.find(n);
+  return at != shown_.end() ? at->second : compute(n);
+}
+
+// As an operand of real arithmetic: integers are converted first.
+Text GraphPrinter::real(const Node *n) {
+  Text t = show(n).text;
+  if (n->isConstant()) return {numberText(double(n->offset)), Primary};
+  return isInteger(n) ? Text{"(tl_real)" + operand(t, Prefix), Prefix} : t;
+}
+
+Text GraphPrinter::affine(const Node *n) {
+  Text sum;
+  bool empty = true;
+  auto append = [&](const Text &term, bool negative) {
+    if (empty)
+      sum = negative ? unaryText("-", term) : term;
+    else
+      sum = binaryText(negative ? "-" : "+", sum, term);
+    empty = false;
+  };
+  for (int pass = 0; pass < 2; ++pass) // what is added before what is taken away
+    for (auto &[loop, factor] : n->terms) {
+      if ((factor < 0) != (pass == 1)) continue;
+      Text name{indexNames_.at(loop), Primary};
+      append(std::labs(factor) == 1 ? name : binaryText("*", {std::to_string(std::labs(factor)), Primary}, name), factor < 0);
+      if (pass == 0 && n->offset > 0 && &loop == &n->terms.back().first) append({std::to_string(n->offset), Primary}, false);
+    }
+  bool done = n->offset > 0 && !n->terms.empty() && n->terms.back().second > 0;
+  if ((n->offset && !done) || empty) append({std::to_string(std::labs(n->offset)), Primary}, n->offset < 0);
+  return sum;
+}
+
+std::string GraphPrinter::fill(const std::string &text, const std::vector<Node *> &indices) {
+  std::string s;
+  size_t next = 0;
+  for (size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '%') {
+      s += text[i];
+      continue;
+    }
+    bool factor = (i > 0 && text[i - 1] == '*') || (i + 1 < text.size() && text[i + 1] == '*');
+    Text t = show(indices[next++]).text;
+    s += factor ? operand(t, Product) : t.s;
+  }
+  return s;
+}
+
+std::string GraphPrinter::leaf(const Node *n) {
+  static const std::map<Slot::Kind, const char *> texts = {
+      {Slot::Q, "q[%]"},     {Slot::Qd, "qd[%]"},         {Slot::T, "t"},
+      {Slot::Qdd, "qdd[%]"}, {Slot::Lambda, "lambda[%]"}, {Slot::Direction, "w[%*k + %]"}};
+  auto known = texts.find(n->slot->kind);
+  return fill(known == texts.end() ? n->slot->text : known->second, n->args);
+}
+
+// Rows of a matrix may stand further apart in memory than the graph has them.
+std::string GraphPrinter::element(const Array *a, const Node *at) {
+  auto bound = bound_.find(a);
+  if (bound == bound_.end()) return arrayName(a) + "[" + index(at) + "]";
+  const Binding &b = bound->second;
+  if (b.stride == b.columns) return b.name + "[" + index(at) + "]";
+  Node moved = *at;
+  moved.offset = at->offset / b.columns * b.stride + at->offset % b.columns;
+  for (auto &[loop, factor] : moved.terms)
+    if (factor % b.columns == 0) factor = factor / b.columns * b.stride;
+  return b.name + "[" + affine(&moved).s + "]";
+}
+
+void GraphPrinter::bind(const Array *a, const std::string &name, long columns, long stride) { bound_[a] = {name, columns, stride}; }
+
+// Of a function that a batch evaluates.
+std::string GraphPrinter::result(const Node *n) {
+  const Place *p = schedule_.place(n);
+  const auto &names = results_.at(p->batch);
+  const std::string &name = p->batch->function == "sincos" && n->text == "cos" ? names.second : names.first;
+  return p->batch->loop || p->batch->args.size() > 1 ? name + "[" + index(p->index) + "]" : name;
+}
+
+GraphPrinter::Shown GraphPrinter::combine(const std::string &op, const Node *a, const Node *b, bool integers) {
+  Shown x = show(a), y = show(b);
+  x.text = binaryText(op, integers ? x.text : real(a), integers ? y.text : real(b));
+  x.carried.insert(y.carried.begin(), y.carried.end());
+  return x;
+}
+
+// a - b for a + -1*b, a - 2*b for a + -2*b.
+GraphPrinter::Shown GraphPrinter::sum(const Node *n) {
+  const Node *a = n->args[0], *b = n->args[1];
+  auto minus = [&](const Node *x) { return isNegative(x) && show(x).text.s[0] == '-'; };
+  if (minus(a) && !minus(b)) std::swap(a, b);
+  if (!minus(b)) return combine("+", a, b);
+  Shown x = show(a), y = show(b);
+  Text rest{y.text.s.substr(y.text.s[1] == ' ' ? 2 : 1), b->isNumber() ? Primary : y.text.precedence == Prefix ? Prefix : Product};
+  x.text = binaryText("-", real(a), rest);
+  x.carried.insert(y.carried.begin(), y.carried.end());
+  return x;
+}
+
+// -x for -1*x, a/b for a * 1/b.
+GraphPrinter::Shown GraphPrinter::product(const Node *n) {
+  const Node *a = n->args[0], *b = n->args[1];
+  if (a->is(-1)) {
+    Shown x = show(b);
+    Text t = real(b);
+    x.text = t.precedence == Product && t.s[0] != '-' ? Text{"-" + t.s, Product} : unaryText("-", t);
+    return x;
+  }
+  auto inverse = [&](const Node *x) { return x->op == Node::Recip && show(x).text.precedence != Primary; };
+  if (inverse(a)) std::swap(a, b);
+  if (inverse(b)) {
+    Shown x = show(a), y = show(b->args[0]);
+    x.text = binaryText("/", real(a), real(b->args[0]));
+    x.carried.insert(y.carried.begin(), y.carried.end());
+    return x;
+  }
+  Shown x = combine("*", a, b);
+  bool bare =
+      a->isNumber() && show(b).text.precedence == Product && show(b).text.s[0] != '-' && show(b).text.s.find('/') == std::string::npos;
+  if (bare) x.text = {numberText(a->value) + " * " + show(b).text.s, Product};
+  return x;
+}
+
+GraphPrinter::Shown GraphPrinter::compute(const Node *n) {
+  auto call = [&](const std::string &function) {
+    Shown s;
+    for (const Node *arg : n->args) {
+      Shown x = show(arg);
+      bool whole = arg != n->args[0] && (function == "ldexp" || function == "scalbn" || function == "scalbln");
+      s.text.s += (s.text.s.empty() ? "" : ", ") + (whole ? (arg->isConstant() ? "" : "(int)") + operand(x.text, Prefix) : real(arg).s);
+      s.carried.insert(x.carried.begin(), x.carried.end());
+    }
+    s.text = {function + "(" + s.text.s + ")", Postfix};
+    return s;
+  };
+  switch (n->op) {
+  case Node::Number:
+    return {{numberText(n->value), n->value < 0 ? Prefix : Primary}, {}};
+  case Node::Affine:
+    return {affine(n), {}};
+  case Node::Leaf:
+    if (n->slot->integer) return {{"(long)" + leaf(n), Prefix}, {}};
+    return {{leaf(n), Postfix}, {}};
+  case Node::Carried:
+    return {{carriedNames_.at({n->of, size_t(n->which)}), Primary}, {n}};
+  case Node::Final:
+    return {{carriedNames_.at({n->of, size_t(n->which)}), Primary}, {}};
+  case Node::Read:
+    return {{element(n->array, n->args[0]), Postfix}, show(n->args[0]).carried};
+  case Node::Add:
+    return sum(n);
+  case Node::Mul:
+    return product(n);
+  case Node::Recip: {
+    Shown x = show(n->args[0]);
+    x.text = binaryText("/", {"1.0", Primary}, real(n->args[0]));
+    return x;
+  }
+  case Node::Math:
+    return schedule_.place(n) ? Shown{{result(n), Postfix}, {}} : call(n->text);
+  case Node::Taylor:
+    return {{"", Primary}, {}};
+  case Node::Convert: {
+    Shown x = show(n->args[0]);
+    x.text = {"(" + n->text + ")" + operand(x.text, Prefix), Prefix};
+    return x;
+  }
+  case Node::Integer:
+    return combine(n->text, n->args[0], n->args[1], true);
+  case Node::Compare: {
+    const Node *a = n->args[0], *b = n->args[1];
+    bool constant = a->isNumber() || a->isConstant(), integers = isInteger(a) && isInteger(b);
+    if (constant) std::swap(a, b); // x > 0, not 0 < x
+    return combine(constant && n->text[0] == '<' ? ">" + n->text.substr(1) : n->text, a, b, integers);
+  }
+  case Node::Not: {
+    Shown x = show(n->args[0]);
+    x.text = unaryText("!", x.text);
+    return x;
+  }
+  case Node::And:
+    return combine("&&", n->args[0], n->args[1], true);
+  case Node::Or:
+    return combine("||", n->args[0], n->args[1], true);
+  case Node::Select: {
+    Shown c = show(n->args[0]), a = show(n->args[1]), b = show(n->args[2]);
+    bool whole = isInteger(n->args[1]) && isInteger(n->args[2]);
+    Text x = whole ? a.text : real(n->args[1]), y = whole ? b.text : real(n->args[2]);
+    c.text = {operand(c.text, Or) + " ? " + operand(x, Or) + " : " + operand(y, Choice), Choice};
+    c.carried.insert(a.carried.begin(), a.carried.end());
+    c.carried.insert(b.carried.begin(), b.carried.end());
+    return c;
+  }
+  }
+  std::abort();
+}
+
+std::string GraphPrinter::loopText(Loop *loop, int indent) {
+  std::string s;
+  for (size_t k = 0; k < loop->carried.size(); ++k) {
+    if (!schedule_.carries(loop, k)) continue;
+    const Carry &c = loop->carried[k];
+    std::string name = carriedNames_[{loop, k}] = c.in->name.empty() ? fresh("c" + std::to_string(++carried_)) : fresh(c.in->name);
+    std::string init = isInteger(c.init) ? show(c.init).text.s : real(c.init).s;
+    s += blanks(indent) + (isInteger(c.init) ? "long " : "tl_real ") + name + " = " + init + ";\n";
+    shown_.erase(c.in);
+  }
+  static const char *const names[] = {"i", "j", "l"};
+  int depth = 0;
+  for (const Loop *l = loop->outer; l; l = l->outer) ++depth;
+  std::string wish = depth < 3 ? names[depth] : "i", name = wish;
+  for (int n = 2; taken_.count(name); ++n) name = wish + std::to_string(n);
+  indexNames_[loop] = name;
+  std::string start, head;
+  if (loop->down)
+    head = "long " + name + " = " + binaryText("-", show(loop->trips).text, {"1", Primary}).s + "; " + name + " >= 0; --" + name;
+  else if (loop->trips)
+    head = "long " + name + " = 0; " + binaryText("<", {name, Primary}, show(loop->trips).text).s + "; ++" + name;
+  else
+    head = "long " + name + " = 0;; ++" + name;
+  if (loop->down && loop->trips->isConstant())
+    head = "long " + name + " = " + std::to_string(loop->trips->offset - 1) + "; " + name + " >= 0; --" + name;
+  taken_.insert(name);
+  Loc outside = quoted_;
+  quoted_ = {};
+  std::string body = block(loop, indent + 2);
+  body += updates(loop, indent + 2);
+  quoted_ = outside;
+  taken_.erase(name);
+  return s + blanks(indent) + "for (" + head + ") {\n" + body + blanks(indent) + "}\n";
+}
+
+// x += y for x = x + y.
+std::string GraphPrinter::update(const Carry &carry, const std::string &name, const Shown &to) {
+  const Node *out = carry.out, *in = carry.in;
+  if (isInteger(carry.init)) return name + " = " + to.text.s;
+  bool grows = out->op == Node::Add && to.text.precedence != Primary && (out->args[0] == in || out->args[1] == in);
+  if (!grows) return name + " = " + (to.text.precedence == Primary ? to.text : real(out)).s;
+  const Node *other = out->args[out->args[0] == in ? 1 : 0];
+  Text more = real(other);
+  return more.s[0] == '-' ? name + " -= " + more.s.substr(more.s[1] == ' ' ? 2 : 1) : name + " += " + more.s;
+}
+
+// Carried values become what they are at the end of the iteration, all at once: one that another's new value is computed from is
+// updated after that.
+std::string GraphPrinter::updates(const Loop *loop, int indent) {
+  struct Update {
+    const Carry *carry;
+    std::string name;
+    Shown to;
+  };
+  std::vector<Update> open;
+  for (size_t k = 0; k < loop->carried.size(); ++k) {
+    const Carry &c = loop->carried[k];
+    if (schedule_.carries(loop, k) && c.out != c.in) open.push_back({&c, carriedNames_.at({loop, k}), show(c.out)});
+  }
+  std::string s;
+  while (!open.empty()) {
+    auto free = std::find_if(open.begin(), open.end(), [&](const Update &u) {
+      return std::none_of(open.begin(), open.end(), [&](const Update &o) { return &o != &u && o.to.carried.count(u.carry->in); });
+    });
+    if (free == open.end()) { // a circle
+      Update &u = open.front();
+      std::string name = fresh("next");
+      s += blanks(indent) + (isInteger(u.carry->init) ? "const long " : "const tl_real ") + name + " = " + u.to.text.s + ";\n";
+      u.to = {{name, Primary}, {}};
+      continue;
+    }
+    s += blanks(indent) + update(*free->carry, free->name, free->to) + ";\n";
+    open.erase(free);
+  }
+  return s;
+}
+
+std::string GraphPrinter::batch(const Batch &b, int indent) {
+  std::string start = blanks(indent), s;
+  if (!b.loop && b.args.size() == 1) {
+    std::string sine = fresh("sine"), cosine = fresh("cosine"), angle = fresh("angle");
+    results_[&b] = {sine, cosine};
+    s = start + "const tl_real " + angle + " = " + real(b.args[0]).s + ";\n";
+    return s + start + "tl_real " + sine + ", " + cosine + ";\n" + start + "tl_sincos_array(1, &" + angle + ", &" + sine + ", &" +
+           cosine + ");\n";
+  }
+  long count = b.loop ? b.loop->trips->offset : long(b.args.size());
+  std::string size = "[" + std::to_string(count) + "]", from;
+  if (b.first) {
+    from = "&" + leaf(b.first);
+    if (b.first->args[0]->offset == 0) from = b.first->slot->kind == Slot::Q ? "q" : "qd";
+  } else if (b.filled) {
+    from = arrayName(b.filled);
+  } else {
+    from = fresh(b.function == "sincos" ? "angles" : "arguments");
+    std::string list;
+    for (const Node *arg : b.args) list += (list.empty() ? "" : ", ") + real(arg).s;
+    s += start + "const tl_real " + from + size + " = {" + list + "};\n";
+  }
+  if (b.function == "sincos") {
+    std::string sines = fresh("sines"), cosines = fresh("cosines");
+    results_[&b] = {sines, cosines};
+    return s + start + "tl_real " + sines + size + ", " + cosines + size + ";\n" + start + "tl_sincos_array(" + std::to_string(count) +
+           ", " + from + ", " + sines + ", " + cosines + ");\n";
+  }
+  std::string values = fresh(b.function + "s");
+  results_[&b] = {values, ""};
+  return s + start + "tl_real " + values + size + ";\n" + start + "for (int i = 0; i < " + std::to_string(count) + "; ++i) " + values +
+         "[i] = " + b.function + "(" + (from[0] == '&' ? "(" + from + ")" : from) + "[i]);\n";
+}
+
+std::string GraphPrinter::check(const Check &c, int indent) {
+  size_t site = sites_.number(c.node);
+  failing_.insert(site);
+  Text fails = show(c.outside).text;
+  if (c.guard) fails = binaryText("&&", show(c.guard->holds).text, fails);
+  return blanks(indent) + "outside" + std::to_string(site) + " |= " + fails.s + ";\n";
+}
+
+std::string GraphPrinter::clear(const Array *a, int indent) {
+  return blanks(indent) + "for (int i = 0; i < " + std::to_string(a->length) + "; ++i) " +
+         (bound_.count(a) ? bound_.at(a).name : arrayName(a)) + "[i] = 0.0;\n";
+}
+
+std::string GraphPrinter::external(const Node *, int) { return ""; }
+
+} // namespace tlgen

@@ -1,0 +1,119 @@
+// C from a graph: a schedule's values as statements on scalars, loops and arrays.
+#ifndef TLGEN_PRINTGRAPH_H
+#define TLGEN_PRINTGRAPH_H
+
+#include "PrintC.h"
+#include "Schedule.h"
+
+namespace tlgen {
+
+// The places of the source where an elementary function may fail, numbered from 1 over all functions of a model.
+class Sites {
+public:
+  struct Site {
+    std::string function; // of math.h; "div" for a division, "compose" for one with a rule of the user
+    Loc loc;
+  };
+  size_t number(const Node *node);
+  const std::vector<Site> &all() const { return sites_; }
+
+private:
+  std::vector<Site> sites_;
+};
+
+// Prints the body of one function.
+class GraphPrinter {
+public:
+  // taken: names that the body may not give to its own variables.
+  GraphPrinter(Schedule &schedule, const Program &program, Sites &sites, std::set<std::string> taken);
+
+  // The array is memory of another name, a matrix of so many columns with rows stride numbers apart (both 1 for a row of numbers).
+  void bind(const Array *a, const std::string &name, long columns = 1, long stride = 1);
+  // Prints what an iteration of the loop, or (start) what is before it, does to rows in memory; by default nothing.
+  using PrintRows = std::function<std::string(const Loop *loop, bool start, int indent)>;
+  void setRows(PrintRows rows) { rows_ = std::move(rows); }
+  // A value as text, where it stands in the code that is being printed.
+  std::string text(const Node *n) { return show(n).text.s; }
+  // The statements of a phase, after those of the phases before.
+  std::string phase(size_t number);
+  // Declarations that go before the first phase: arrays, and what remembers failures. To be asked for last.
+  std::string declarations() const;
+  // The end: returns the number of a site that failed. Empty where none can.
+  std::string returnSite() const;
+  // Numbers of caller's memory that the arrays take, from work on.
+  long workspace() const { return workspace_; }
+
+private:
+  // A value as it is to be written where it is used.
+  struct Shown {
+    Text text;
+    std::set<const Node *> carried; // what it says of carried values, which hold it only until they are updated
+  };
+  struct Indent {
+    int by = 2;
+    const Loc *quoted = nullptr;
+  };
+
+  std::string block(const Loop *loop, int indent);
+  std::string item(const Item &item, int indent);
+  std::string value(const Node *n, int indent);
+  std::string loopText(Loop *loop, int indent);
+  std::string updates(const Loop *loop, int indent);
+  std::string update(const Carry &carry, const std::string &name, const Shown &to);
+  std::string batch(const Batch &b, int indent);
+  std::string check(const Check &c, int indent);
+  std::string clear(const Array *a, int indent);
+  std::string external(const Node *n, int indent);
+  std::string quote(const Loc &loc, int indent);
+
+  Shown show(const Node *n);
+  Shown compute(const Node *n);
+  Shown sum(const Node *n);
+  Shown product(const Node *n);
+  Shown combine(const std::string &op, const Node *a, const Node *b, bool integers = false);
+  Text real(const Node *n);
+  Text affine(const Node *n);
+  std::string leaf(const Node *n);
+  std::string element(const Array *a, const Node *index);
+  std::string result(const Node *n);
+  std::string fill(const std::string &text, const std::vector<Node *> &indices);
+  std::string index(const Node *n) { return show(n).text.s; }
+
+  bool mustBeNamed(const Node *n, const Shown &shown) const;
+  std::string fresh(const std::string &wish);
+  std::string arrayName(const Array *a);
+
+  struct Binding {
+    std::string name;
+    long columns, stride;
+  };
+
+  Schedule &schedule_;
+  const Program &program_;
+  Sites &sites_;
+  std::set<std::string> taken_;
+  Blocks blocks_;
+  std::unordered_map<const Node *, Shown> shown_;
+  std::unordered_map<const Loop *, std::string> indexNames_;
+  std::map<std::pair<const Loop *, size_t>, std::string> carriedNames_;
+  std::unordered_map<const Array *, std::string> arrayNames_;
+  std::vector<const Array *> declared_;
+  std::map<const Batch *, std::pair<std::string, std::string>> results_; // sines and cosines, or values
+  std::unordered_map<const Array *, Binding> bound_;
+  PrintRows rows_;
+  std::set<size_t> failing_; // sites
+  std::set<std::pair<int, unsigned>> quotedBefore_;
+  Loc quoted_;
+  long workspace_ = 0;
+  int temporaries_ = 0, carried_ = 0; // numbers of names
+};
+
+// Text of a number that reads back as the same.
+std::string numberText(double value);
+
+// True for values of integer type, truth values included.
+bool isInteger(const Node *n);
+
+} // namespace tlgen
+
+#endif
