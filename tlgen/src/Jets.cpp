@@ -134,7 +134,12 @@ Tangents Jets::computeTangents(Node *node, int power) {
   Node *one = graph_.number(1);
   switch (node->op) {
   case Node::Leaf:
-    for (auto &[column, value] : inputs_(value(node)).tangents[power]) sum[this->column(column)] = value;
+    for (auto &[column, value] : inputs_(value(node)).tangents[power]) {
+      if (explicit_ && !column->isConstant())
+        unsuitable_ = node;
+      else
+        sum[this->column(column)] = value;
+    }
     return sum;
   case Node::Final:
     return finalTangents(node, power);

@@ -93,6 +93,9 @@ public:
   Node *coefficient(Node *node, int power);
   const Tangents &tangents(Node *node, int power);
 
+  // An input whose column follows from an iteration number, where columns are explicit; null where there is none. Then results are wrong.
+  const Node *unsuitable() const { return unsuitable_; }
+
   const std::vector<RowUpdate> &updates() const { return updates_; }
   const std::deque<Row> &rows() const { return rows_; }
 
@@ -152,6 +155,7 @@ private:
   Array *newArray(const Array *like, long length);
   void storeTangents(Stored &stored, Array *array, const Write &write, int power);
   bool storeView(Stored &stored, const Write &write, int power);
+  void dropUnused();
   void boundUpdates(Loop *clone, size_t firstUpdate);
 
   Graph &graph_;
@@ -159,6 +163,7 @@ private:
   int powers_;
   long columns_;
   bool explicit_;
+  const Node *unsuitable_ = nullptr;
   const Needed *needed_ = nullptr;
   const std::vector<JetOutput> *outputs_ = nullptr;
   std::unordered_map<Node *, Info> info_;

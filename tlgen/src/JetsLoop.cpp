@@ -46,6 +46,23 @@ void Jets::run(const std::vector<JetOutput> &outputs) {
   runRegion(nullptr);
   finishLoop(nullptr, 0);
   needed_ = nullptr;
+  dropUnused();
+}
+
+// Demand: updates of rows that no result comes from.
+void Jets::dropUnused() {
+  std::set<const Row *> used;
+  for (const Row &row : rows_)
+    if (row.result) used.insert(&row);
+  for (size_t before = 0; before != used.size();) {
+    before = used.size();
+    for (const RowUpdate &update : updates_)
+      if (used.count(update.row))
+        for (auto &[direction, factor] : update.sum)
+          if (direction->row) used.insert(direction->row);
+  }
+  auto unused = [&](const RowUpdate &update) { return !used.count(update.row); };
+  updates_.erase(std::remove_if(updates_.begin(), updates_.end(), unused), updates_.end());
 }
 
 void Jets::runRegion(Loop *loop) {
