@@ -42,6 +42,22 @@
 #define TL_UNROLL
 #endif
 
+/* Before a loop whose iterations do not touch each other's memory. */
+#if defined(__clang__)
+#define TL_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
+#elif defined(__GNUC__)
+#define TL_INDEPENDENT _Pragma("GCC ivdep")
+#else
+#define TL_INDEPENDENT
+#endif
+
+/* Before the type of a local array of numbers: starts at a cache line. */
+#if defined(__GNUC__) || defined(__clang__)
+#define TL_ALIGNED __attribute__((aligned(64)))
+#else
+#define TL_ALIGNED
+#endif
+
 /* Rows that kernels read and write in whole vectors have a length that is a multiple of TL_ROW_PAD; TL_ROW(n) is the smallest such
  * length that holds n numbers. Kernels are fastest where rows start at a multiple of TL_ROW_PAD numbers in memory; none needs it. */
 #define TL_ROW_PAD 8
