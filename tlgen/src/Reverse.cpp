@@ -256,6 +256,7 @@ private:
       contribute(args[1], adjoint);
       return;
     case Node::Mul:
+      if (args[0] == args[1]) return give(args[0], graph_.mul(graph_.scale(2, adjoint), at(args[0])));
       for (size_t k = 0; k < 2; ++k)
         if (varied_.count(args[k])) give(args[k], graph_.mul(adjoint, at(args[1 - k])));
       return;

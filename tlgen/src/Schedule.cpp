@@ -62,21 +62,6 @@ std::vector<Node *> nodesOf(const RowUpdate &u) {
 // Where an update runs: the iterations of its loop, or before these.
 const Loop *blockOf(const RowUpdate &u) { return u.before ? u.loop->outer : u.loop; }
 
-// Leaves out what changes rows that no result follows from.
-void dropUnused(std::vector<RowUpdate> &updates) {
-  std::set<const Row *> used;
-  for (size_t before = 1; before != used.size() + 1;) {
-    before = used.size() + 1;
-    for (const RowUpdate &u : updates)
-      if (u.row->result || used.count(u.row)) {
-        used.insert(u.row);
-        for (auto &[direction, factor] : u.sum)
-          if (direction->row) used.insert(direction->row);
-      }
-  }
-  updates.erase(std::remove_if(updates.begin(), updates.end(), [&](const RowUpdate &u) { return !used.count(u.row); }), updates.end());
-}
-
 // Sums of squares and positive numbers, exponentials, and roots, whose own condition is stronger.
 bool isPositive(const Node *n);
 
@@ -97,7 +82,6 @@ bool isPositive(const Node *n) {
 } // namespace
 
 Schedule::Schedule(Graph &graph, std::vector<Phase> phases) : graph_(graph), phases_(std::move(phases)) {
-  for (Phase &phase : phases_) dropUnused(phase.updates);
   makeChecks();
   makeBatches();
   countUses();
