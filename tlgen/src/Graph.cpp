@@ -1,6 +1,7 @@
 // Making of nodes: each value once, with the arithmetic that can be done at once done.
 #include "Graph.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -35,18 +36,6 @@ Loop *deeper(Loop *a, Loop *b) {
   return a->within(b) ? a : b;
 }
 
-// A product as number times the rest; the rest is null for a number itself.
-struct Scaled {
-  double factor;
-  Node *rest;
-};
-
-Scaled scaled(Node *n) {
-  if (n->isNumber()) return {n->value, nullptr};
-  if (n->op == Node::Mul && n->args[0]->isNumber()) return {n->args[0]->value, n->args[1]};
-  return {1, n};
-}
-
 bool isNegation(const Node *n) { return n->op == Node::Mul && n->args[0]->is(-1); }
 
 const Guard *common(const Guard *a, const Guard *b) {
@@ -55,6 +44,12 @@ const Guard *common(const Guard *a, const Guard *b) {
 }
 
 } // namespace
+
+Graph::Scaled Graph::scaled(Node *n) {
+  if (n->isNumber()) return {n->value, nullptr};
+  if (n->op == Node::Mul && n->args[0]->isNumber()) return {n->args[0]->value, n->args[1]};
+  return {1, n};
+}
 
 bool Graph::covers(const Guard *outer, const Guard *inner) {
   for (; inner; inner = inner->outer)
@@ -127,30 +122,132 @@ Node *Graph::add(Node *a, Node *b) {
   if (a->isNumber() && b->isNumber()) return number(a->value + b->value);
   Scaled x = scaled(a), y = scaled(b);
   if (x.rest == y.rest) return scale(x.factor + y.factor, x.rest);
+  if (Node *merged = mergedSum(a, b)) return merged;
   if (isNegation(a) && isNegation(b)) return neg(add(x.rest, y.rest));
+  return plainSum(a, b);
+}
+
+Node *Graph::plainSum(Node *a, Node *b) {
   Node n(Node::Add);
   n.args = {a, b};
   if (isNegation(a) || (!isNegation(b) && b->id < a->id)) std::swap(n.args[0], n.args[1]);
   return make(std::move(n));
 }
 
+// The sum where a term of one is a multiple of a term of the other, so that they become one, or where they cancel once products of sums
+// are multiplied out; null where neither is.
+Node *Graph::mergedSum(Node *a, Node *b) {
+  std::vector<Scaled> left, right;
+  if (!terms(a, 1, left) || !terms(b, 1, right)) return nullptr;
+  if (Node *sum = merged(left, right, false)) return sum;
+  bool products = multiplyOut(left);
+  products = multiplyOut(right) || products;
+  return products ? merged(left, right, true) : nullptr;
+}
+
+// cancel: only where terms cancel.
+Node *Graph::merged(std::vector<Scaled> left, const std::vector<Scaled> &right, bool cancel) {
+  bool merged = false;
+  for (const Scaled &term : right) {
+    auto same = std::find_if(left.begin(), left.end(), [&](const Scaled &l) { return l.rest == term.rest; });
+    if (same == left.end()) {
+      left.push_back(term);
+      continue;
+    }
+    same->factor += term.factor;
+    merged = merged || !cancel || same->factor == 0;
+  }
+  if (!merged) return nullptr;
+  Node *sum = number(0);
+  for (const Scaled &term : left) {
+    Node *part = scaledNode(term);
+    sum = sum->is(0) ? part : part->is(0) ? sum : plainSum(sum, part);
+  }
+  return sum;
+}
+
+// Terms that are a product with one sum of two among the factors become two terms. False where there are none, or too many.
+bool Graph::multiplyOut(std::vector<Scaled> &terms) {
+  const size_t most = 8;
+  if (terms.size() > most) return false;
+  std::vector<Scaled> all;
+  for (const Scaled &term : terms) {
+    std::vector<Node *> factors;
+    if (term.rest) factorsOf(term.rest, factors);
+    Node *sum = factors.size() > 1 ? factors.back() : nullptr; // sums come last
+    if (!sum || sum->op != Node::Add || sum->args[0]->op == Node::Add || sum->args[1]->op == Node::Add) {
+      all.push_back(term);
+      continue;
+    }
+    for (Node *part : sum->args) {
+      Node *product = part;
+      for (size_t k = 0; k + 1 < factors.size(); ++k) product = mul(factors[k], product);
+      Scaled s = scaled(product);
+      all.push_back({term.factor * s.factor, s.rest});
+    }
+  }
+  bool more = all.size() != terms.size();
+  terms = std::move(all);
+  return more;
+}
+
+// The terms of a sum, negated sums taken apart; false where there are too many to look at.
+bool Graph::terms(Node *n, double factor, std::vector<Scaled> &to) {
+  const size_t most = 24;
+  if (to.size() > most) return false;
+  Scaled s = scaled(n);
+  if (s.rest && s.rest->op == Node::Add)
+    return terms(s.rest->args[0], factor * s.factor, to) && terms(s.rest->args[1], factor * s.factor, to);
+  to.push_back({factor * s.factor, s.rest});
+  return true;
+}
+
+Node *Graph::scaledNode(const Scaled &s) {
+  if (!s.rest || s.factor == 0) return number(s.factor);
+  if (s.factor == 1) return s.rest;
+  if (s.factor == -1 && s.rest->op == Node::Add && isNegation(s.rest->args[1]))
+    return add(s.rest->args[1]->args[1], neg(s.rest->args[0]));
+  Node n(Node::Mul);
+  n.args = {number(s.factor), s.rest};
+  return make(std::move(n));
+}
+
+// Products are kept in one order of their factors, so that those of the same factors are the same and cancel in sums: numbers that do not
+// move first, then functions, inputs, and what was computed.
 Node *Graph::mul(Node *a, Node *b) {
   Scaled x = scaled(a), y = scaled(b);
   double factor = x.factor * y.factor;
   if (factor == 0) return number(0);
-  Node *rest = x.rest ? x.rest : y.rest;
-  if (x.rest && y.rest) {
+  if (!x.rest || !y.rest) return scaledNode({factor, x.rest ? x.rest : y.rest});
+  std::vector<Node *> factors;
+  const size_t most = 8;
+  factorsOf(x.rest, factors);
+  factorsOf(y.rest, factors);
+  if (factors.size() > most) factors = {x.rest, y.rest};
+  std::sort(factors.begin(), factors.end(), [](const Node *l, const Node *r) {
+    return std::make_pair(rank(l), l->id) < std::make_pair(rank(r), r->id);
+  });
+  Node *product = factors[0];
+  for (size_t k = 1; k < factors.size(); ++k) {
     Node n(Node::Mul);
-    n.args = {x.rest, y.rest};
-    if (n.args[1]->id < n.args[0]->id) std::swap(n.args[0], n.args[1]);
-    rest = make(std::move(n));
+    n.args = {product, factors[k]};
+    product = make(std::move(n));
   }
-  if (!rest) return number(factor);
-  if (factor == 1) return rest;
-  if (factor == -1 && rest->op == Node::Add && isNegation(rest->args[1])) return add(rest->args[1]->args[1], neg(rest->args[0]));
-  Node n(Node::Mul);
-  n.args = {number(factor), rest};
-  return make(std::move(n));
+  return scaledNode({factor, product});
+}
+
+int Graph::rank(const Node *n) {
+  if (n->op == Node::Leaf) return n->slot->kind == Slot::Member ? 0 : 2;
+  return n->op == Node::Math || n->op == Node::Recip ? 1 : 3;
+}
+
+void Graph::factorsOf(Node *n, std::vector<Node *> &to) {
+  if (n->op == Node::Mul && !n->args[0]->isNumber()) {
+    factorsOf(n->args[0], to);
+    factorsOf(n->args[1], to);
+  } else {
+    to.push_back(n);
+  }
 }
 
 Node *Graph::recip(Node *a) {

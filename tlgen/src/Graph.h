@@ -123,7 +123,8 @@ struct Array {
 
 class Graph {
 public:
-  // Values. Constants are folded, products keep one Number in front, x*1, x*0, x+0 and double negation go away.
+  // Values. Constants are folded, products keep one Number in front, x*1, x*0, x+0 and double negation go away, products of the same
+  // factors are the same, and equal terms of sums are taken together or cancel.
   Node *number(double value);
   Node *integer(long value) { return affine(value, {}); }
   Node *affine(long offset, std::vector<std::pair<Loop *, long>> terms);
@@ -187,7 +188,22 @@ public:
   size_t size() const { return nodes_.size(); }
 
 private:
+  // A product as number times the rest; the rest is null for a number itself.
+  struct Scaled {
+    double factor;
+    Node *rest;
+  };
+
   Node *make(Node n);
+  static Scaled scaled(Node *n);
+  static int rank(const Node *n);
+  static void factorsOf(Node *n, std::vector<Node *> &to);
+  bool terms(Node *n, double factor, std::vector<Scaled> &to);
+  Node *scaledNode(const Scaled &s);
+  Node *mergedSum(Node *a, Node *b);
+  Node *merged(std::vector<Scaled> left, const std::vector<Scaled> &right, bool cancel);
+  bool multiplyOut(std::vector<Scaled> &terms);
+  Node *plainSum(Node *a, Node *b);
 
   std::deque<Node> nodes_;
   std::unordered_map<std::string, Node *> known_;
