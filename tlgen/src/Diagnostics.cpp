@@ -20,6 +20,11 @@ const std::vector<DiagnosticKind> &allDiagnostics() {
   return kinds;
 }
 
+const char *nameOf(Severity severity) {
+  static const char *const names[] = {"note", "warning", "error"};
+  return names[static_cast<int>(severity)];
+}
+
 const DiagnosticKind *findDiagnostic(const std::string &id) {
   for (const DiagnosticKind &k : allDiagnostics())
     if (id == k.id) return &k;
@@ -60,6 +65,9 @@ std::string Diagnostics::words(const std::string &text) const {
                                             {"--recursion", "RECURSION"},
                                             {"--rule", "RULES"},
                                             {"--selftest", "SELFTEST"},
+                                            {"--need", "NEEDS"},
+                                            {"--size", "SIZES"},
+                                            {"--parameter", "PARAMETERS"},
                                             {"after '--'", "as INCLUDE_DIRECTORIES and COMPILE_DEFINITIONS"}};
   std::string s = text;
   for (const auto &k : keywords)
@@ -71,7 +79,7 @@ void Diagnostics::print(std::ostream &out) const {
   for (const Message &m : messages_) {
     out << (m.file.empty() ? "tlgen" : m.file) << ':';
     if (m.line) out << m.line << ':' << m.column << ':';
-    out << (isError(m) ? " error: " : " warning: ") << text(m) << " [" << m.kind->id << "]\n"
+    out << ' ' << nameOf(severity(m)) << ": " << text(m) << " [" << m.kind->id << "]\n"
         << "  instead: " << words(m.kind->instead) << '\n';
   }
 }

@@ -11,7 +11,7 @@
 
 namespace tlgen {
 
-enum class Severity { Warning, Error };
+enum class Severity { Note, Warning, Error };
 
 struct DiagnosticKind {
   const char *id;
@@ -33,6 +33,9 @@ struct Message {
   bool operator<(const Message &other) const;
 };
 
+// "error", "warning" or "note".
+const char *nameOf(Severity severity);
+
 class Diagnostics {
 public:
   // Adds a message. what names the thing at fault; file is a path, empty for a fault of the command line.
@@ -46,7 +49,10 @@ public:
   // From now on a warning counts as an error.
   void promoteWarnings() { promote_ = true; }
 
-  bool isError(const Message &m) const { return promote_ || m.kind->severity == Severity::Error; }
+  Severity severity(const Message &m) const {
+    return promote_ && m.kind->severity == Severity::Warning ? Severity::Error : m.kind->severity;
+  }
+  bool isError(const Message &m) const { return severity(m) == Severity::Error; }
   bool has(const char *id) const;
   bool hasErrors() const;
   std::string text(const Message &m) const { return words(m.what + ": " + m.kind->why); }

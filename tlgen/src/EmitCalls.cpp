@@ -12,8 +12,8 @@ namespace {
 
 class ModelEmitter {
 public:
-  ModelEmitter(const Program &program, const Model &model, const Activity &activity, Diagnostics &diags)
-      : program_(program), model_(model), activity_(activity), diags_(diags), needed_(needed()) {}
+  ModelEmitter(const Program &program, const Model &model, const Activity &activity, const MotionText &motion, Diagnostics &diags)
+      : program_(program), model_(model), activity_(activity), motion_(motion), diags_(diags), needed_(needed()) {}
 
   EmittedModel run(const std::string &headerName) {
     nameVariants();
@@ -30,8 +30,8 @@ public:
     EmittedModel out;
     out.header = header();
     out.source = title(".") + (userHeaders().empty() ? "" : "#define " + ownMark() + "\n") + "#include \"" + headerName +
-                 "\"\n\n#include \"taylor/taylor.h\"\n\n" + sourceRecords() + externals() + tables() + functions + adapters() +
-                 description();
+                 "\"\n\n#include \"taylor/taylor.h\"\n" + kernels() + "\n" + sourceRecords() + externals() + tables() + functions + adapters() +
+                 motion_.source + description();
     return out;
   }
 
@@ -43,6 +43,14 @@ private:
       if (from.find(file) == std::string::npos) from += (from.empty() ? "" : ", ") + file;
     }
     return "/* Model \"" + model_.name + "\" on truncated Taylor series, printed by tlgen from " + from + ending + " Do not edit. */\n";
+  }
+
+  // The headers that motion functions call.
+  std::string kernels() const {
+    std::string s;
+    for (const char *header : {"finite", "ldl", "sincos_array"})
+      if (motion_.any()) s += std::string("#include \"taylor/") + header + ".h\"\n";
+    return s;
   }
 
   // A struct that stands in a .c file can be had from nowhere else, so the header defines it; one from a header is the user's to
@@ -118,7 +126,7 @@ private:
     std::transform(guard.begin(), guard.end(), guard.begin(), [](unsigned char ch) { return static_cast<char>(toupper(ch)); });
     return title(".") + "#ifndef " + guard + "\n#define " + guard + "\n\n#include \"eom/model.h\"\n\n" + headerRecords() +
            "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\nextern const eom_model " + model_.name +
-           "_model;\n\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
+           "_model;\n" + motion_.header + "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
   }
 
   // Functions from elsewhere. Of stdlib.h only those that are called, since its other names may be the user's.
@@ -268,12 +276,14 @@ private:
     return s + lists + "const eom_model " + model_.name + "_model = {\n  .name = \"" + model_.name + "\",\n  .dof = " + model_.name +
            "_dof,\n  .params_size = " + size + ",\n  .lagrangian = " + lagrangian + ",\n  .force = " + force +
            ",\n  .holonomic = " + pointers[0] + ",\n  .nholonomic = " + std::to_string(counts[0]) +
-           ",\n  .nonholonomic = " + pointers[1] + ",\n  .nnonholonomic = " + std::to_string(counts[1]) + ",\n};\n";
+           ",\n  .nonholonomic = " + pointers[1] + ",\n  .nnonholonomic = " + std::to_string(counts[1]) +
+           (motion_.any() ? ",\n  .motion = " + model_.name + "_motions,\n  .nmotion = 1" : "") + ",\n};\n";
   }
 
   const Program &program_;
   const Model &model_;
   const Activity &activity_;
+  const MotionText &motion_;
   Diagnostics &diags_;
   const std::set<const Record *> needed_;
   Emitted emitted_;
@@ -281,9 +291,9 @@ private:
 
 } // namespace
 
-EmittedModel emitCalls(const Program &program, const Model &model, const Activity &activity, Diagnostics &diags,
-                       const std::string &headerName) {
-  return ModelEmitter(program, model, activity, diags).run(headerName);
+EmittedModel emitCalls(const Program &program, const Model &model, const Activity &activity, const MotionText &motion,
+                       Diagnostics &diags, const std::string &headerName) {
+  return ModelEmitter(program, model, activity, motion, diags).run(headerName);
 }
 
 } // namespace tlgen

@@ -3,6 +3,7 @@
 #define TLGEN_EMITCALLS_H
 
 #include "Activity.h"
+#include "EmitAdjoint.h"
 
 namespace tlgen {
 
@@ -10,9 +11,9 @@ struct EmittedModel {
   std::string source, header;
 };
 
-// headerName: how the source includes its header. The text depends on nothing but the arguments. Frames without a bound are reported.
-EmittedModel emitCalls(const Program &program, const Model &model, const Activity &activity, Diagnostics &diags,
-                       const std::string &headerName);
+// motion: the model's motion functions, printed beside these. headerName: how the source includes its header. The text depends on nothing but the arguments. Frames without a bound are reported.
+EmittedModel emitCalls(const Program &program, const Model &model, const Activity &activity, const MotionText &motion,
+                       Diagnostics &diags, const std::string &headerName);
 
 } // namespace tlgen
 

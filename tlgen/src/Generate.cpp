@@ -53,7 +53,7 @@ bool overwrites(const Run &run, std::set<std::string> read) {
 }
 
 // The files of one model; none on an error.
-OutFiles makeModel(const Options &options, const Parsed &parsed, const std::string &modelsFile, Diagnostics &diags) {
+OutFiles makeModel(const Options &options, const Parsed &parsed, const std::string &modelsFile, Diagnostics &diags, std::string &report) {
   Source source(parsed.units, diags);
   Match match = matchModel(source, options, diags);
   auto functions = checkSubset(source, match);
@@ -68,7 +68,9 @@ OutFiles makeModel(const Options &options, const Parsed &parsed, const std::stri
   if (diags.hasErrors()) return {};
 
   std::string header = options.header();
-  EmittedModel text = emitCalls(program, model, activity, diags, header.substr(header.find_last_of('/') + 1));
+  MotionText motion = emitAdjoint(program, model, options.motion, diags);
+  EmittedModel text = emitCalls(program, model, activity, motion, diags, header.substr(header.find_last_of('/') + 1));
+  if (options.report) report += motion.report;
   OutFiles out = {{options.output, text.source}, {header, text.header}};
   std::set<std::string> files = parsed.files;
   if (!modelsFile.empty()) files.insert(modelsFile);
@@ -87,12 +89,13 @@ int generate(const Run &run) {
   Diagnostics all;
   OutFiles out;
   std::set<std::string> read;
+  std::string report;
   for (const Options &options : run.models) {
     Diagnostics diags;
     Parsed parsed = frontend.parse(options, diags);
     read.insert(parsed.files.begin(), parsed.files.end());
     if (!parsed.units.empty())
-      for (auto &file : makeModel(options, parsed, run.modelsFile, diags)) out.push_back(std::move(file));
+      for (auto &file : makeModel(options, parsed, run.modelsFile, diags, report)) out.push_back(std::move(file));
     all.add(diags);
   }
   if (overwrites(run, read)) return 2;
@@ -100,6 +103,7 @@ int generate(const Run &run) {
   if (run.cmake) all.speakCmake();
   all.print(std::cerr);
   if (all.hasErrors()) out.clear();
+  if (!all.hasErrors()) std::cout << report;
   if (!run.sarif.empty()) out.push_back({run.sarif, sarifText(all)});
   return writeFiles(out) && !all.hasErrors() ? 0 : 1;
 }

@@ -3,6 +3,7 @@
 #include "Diagnostics.h"
 #include "ModelsFile.h"
 
+#include <algorithm>
 #include <iostream>
 #include <sstream>
 
@@ -31,6 +32,15 @@ Model
                          listed: --arg q=x,y --arg qd=xd,yd for L(double x, double y, double xd, double yd)
   M may be a constant (default 1) or the name of an integer member of the parameter struct. Functions can also be marked in the
   source: TLGEN(lagrangian), TLGEN(holonomic:3), and TLGEN(q) on a parameter, with the macro of <taylor/tlgen.h>.
+
+Motion functions (eom/motion.h): fast ones for the runtime, at sizes that are known when they are printed
+  --need NEED,..         energy, simulate, residual, linearise, tangent, parameters; all, or none. Default: energy, simulate and
+                         linearise where all sizes are known
+  --size MEMBER=N        the integer member of the parameter struct is N; may be repeated. Other sizes are served by the slower
+                         functions that are always printed
+  --parameter MEMBER,..  the members of the parameter struct that 'parameters' differentiates by
+  --form FORM            registers: straight-line code; rows: loops as in the source; auto (default): what is faster
+  --report               print on stdout what each of these functions costs
 
 Output
   -o FILE.c              where to write (default: SOURCE_tl.c); FILE.h is written beside it
@@ -94,6 +104,58 @@ bool addArg(Options &o, const std::string &text) {
   return true;
 }
 
+// The items of a list with commas; none where one is empty.
+std::vector<std::string> items(const std::string &text) {
+  std::vector<std::string> all;
+  std::istringstream in(text + ",");
+  for (std::string item; std::getline(in, item, ',');) {
+    if (item.empty()) return {};
+    all.push_back(item);
+  }
+  return all;
+}
+
+bool addNeeds(Options &o, const std::string &text) {
+  o.needsGiven = true;
+  std::vector<std::string> given = items(text);
+  if (given.empty()) return usageError("--need wants a list such as simulate,linearise; all, or none");
+  for (const std::string &need : given) {
+    bool known = std::count(allNeeds().begin(), allNeeds().end(), need) > 0;
+    if (!known && need != "all" && need != "none") {
+      std::string names;
+      for (const std::string &name : allNeeds()) names += name + ", ";
+      return usageError("--need: '" + need + "' is no need; the needs are " + names + "all and none");
+    }
+    if (need != "all" && known) o.motion.needs.insert(need);
+    o.needsAll |= need == "all";
+    if (need == "all") o.motion.needs.insert(allNeeds().begin(), allNeeds().end());
+  }
+  return true;
+}
+
+bool addSize(Options &o, const std::string &text) {
+  size_t eq = text.find('=');
+  std::string member = text.substr(0, eq), value = eq == std::string::npos ? "" : text.substr(eq + 1);
+  bool digits = !value.empty() && value.size() < 7 && value.find_first_not_of("0123456789") == std::string::npos;
+  if (member.empty() || !digits || std::stol(value) < 1) return usageError("--size wants MEMBER=N with N of 1 or more, for example --size n=6");
+  if (!o.motion.sizes.emplace(member, std::stol(value)).second) return usageError("--size: the member '" + member + "' has two sizes");
+  return true;
+}
+
+bool addParameters(Options &o, const std::string &text) {
+  std::vector<std::string> given = items(text);
+  if (given.empty()) return usageError("--parameter wants names of members, for example --parameter mass,length");
+  o.motion.parameters.insert(o.motion.parameters.end(), given.begin(), given.end());
+  return true;
+}
+
+bool setForm(Options &o, const std::string &text) {
+  static const std::map<std::string, Form> forms = {{"auto", Form::Auto}, {"registers", Form::Registers}, {"rows", Form::Rows}};
+  auto form = forms.find(text);
+  if (form == forms.end()) return usageError("--form: '" + text + "' is no form; the forms are registers, rows and auto");
+  return o.motion.form = form->second, true;
+}
+
 bool setOnce(std::string &slot, const std::string &name, const std::string &value) {
   if (!slot.empty()) return usageError(name + " is given twice");
   if (value.empty()) return usageError(name + " is empty");
@@ -113,6 +175,10 @@ bool setOption(Options &o, Run *run, const std::string &name, const std::string 
   if (name == "-o") return setOnce(o.output, name, value);
   if (name == "-p") return setOnce(o.compileCommands, name, value);
   if (name == "--arg") return addArg(o, value);
+  if (name == "--need") return addNeeds(o, value);
+  if (name == "--size") return addSize(o, value);
+  if (name == "--parameter") return addParameters(o, value);
+  if (name == "--form") return setForm(o, value);
   if (name == "--holonomic") return o.holonomic.push_back(splitRows(value)), true;
   if (name == "--rule") return addRule(o, value);
   if (name == "--recursion") return o.recursion.push_back(splitRows(value)), true;
@@ -139,6 +205,9 @@ bool complete(Options &o) {
   if (!isIdentifier(o.model)) return usageError("'" + o.model + "' cannot be a model's name in C; say --model NAME");
   if (o.output.empty()) o.output = stem(o.sources[0]) + "_tl.c";
   if (o.output.size() < 3 || o.output.substr(o.output.size() - 2) != ".c") return usageError("-o: the file name must end in .c");
+  if (o.motion.needs.count("parameters") && o.motion.parameters.empty() && !o.needsAll)
+    return usageError("--need parameters wants --parameter with the members to differentiate by");
+  if (!o.needsGiven) o.motion.needs = {"energy", "simulate", "linearise"};
   return true;
 }
 
@@ -146,6 +215,7 @@ bool complete(Options &o) {
 bool setFlag(Options &o, Run *run, const std::string &arg) {
   if (arg == "-MD") return o.depfile = true;
   if (arg == "--selftest") return o.selftest = true;
+  if (arg == "--report") return o.report = true;
   if (arg == "--werror") return run->werror = true;
   if (arg == "--cmake") return run->cmake = true;
   return false;
@@ -206,7 +276,7 @@ Command explain(const std::string &id) {
     usageError("no message has the id '" + id + "'; 'tlgen --explain' lists them");
     return Command::Fail;
   }
-  std::cout << kind->id << " (" << (kind->severity == Severity::Error ? "error" : "warning") << ")\n"
+  std::cout << kind->id << " (" << nameOf(kind->severity) << ")\n"
             << kind->why << "\nInstead: " << kind->instead << '\n';
   return Command::Done;
 }

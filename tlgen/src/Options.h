@@ -2,6 +2,8 @@
 #ifndef TLGEN_OPTIONS_H
 #define TLGEN_OPTIONS_H
 
+#include "EmitAdjoint.h"
+
 #include <map>
 #include <string>
 #include <vector>
@@ -28,7 +30,9 @@ struct Options {
   std::vector<FunctionOption> rules;     // rows: the function that fills the Taylor coefficients
   std::map<std::string, ArgOption> args; // by parameter name
   std::vector<std::string> compilerArgs; // after --
-  bool depfile = false, selftest = false;
+  MotionOptions motion;
+  bool needsGiven = false, needsAll = false;
+  bool depfile = false, selftest = false, report = false;
 
   // The file beside the output with another ending: header() is FILE.h for FILE.c.
   std::string header() const { return output.substr(0, output.size() - 2) + ".h"; }

@@ -198,29 +198,21 @@ Text GraphPrinter::real(const Node *n) {
   return isInteger(n) ? Text{"(tl_real)" + operand(t, Prefix), Prefix} : t;
 }
 
+// What is added before what is taken away: 4 - i, 2*i + 1.
 Text GraphPrinter::affine(const Node *n) {
-  Text sum;
-  bool empty = true;
-  auto append = [&](const Text &term, bool negative) {
-    if (empty)
-      sum = negative ? unaryText("-", term) : term;
-    else
-      sum = binaryText(negative ? "-" : "+", sum, term);
-    empty = false;
-  };
-  for (int pass = 0; pass < 2; ++pass) // what is added before what is taken away
-    for (auto &[loop, factor] : n->terms) {
-      if ((factor < 0) != (pass == 1)) continue;
-      Text name{indexNames_.at(loop), Primary};
-      append(std::labs(factor) == 1 ? name : binaryText("*", {std::to_string(std::labs(factor)), Primary}, name), factor < 0);
-      if (pass == 0 && n->offset > 0 && &loop == &n->terms.back().first) append({std::to_string(n->offset), Primary}, false);
-    }
-  bool done = n->offset > 0 && !n->terms.empty() && n->terms.back().second > 0;
-  if ((n->offset && !done) || empty) append({std::to_string(std::labs(n->offset)), Primary}, n->offset < 0);
+  std::vector<std::pair<Text, bool>> parts; // true: to be taken away
+  for (auto &[loop, factor] : n->terms) {
+    Text name{indexNames_.at(loop), Primary}, times{std::to_string(std::labs(factor)) + "*" + name.s, Product};
+    if (factor) parts.push_back({std::labs(factor) == 1 ? name : times, factor < 0});
+  }
+  if (n->offset || parts.empty()) parts.push_back({{std::to_string(std::labs(n->offset)), Primary}, n->offset < 0});
+  std::stable_partition(parts.begin(), parts.end(), [](const auto &part) { return !part.second; });
+  Text sum = parts[0].second ? unaryText("-", parts[0].first) : parts[0].first;
+  for (size_t i = 1; i < parts.size(); ++i) sum = binaryText(parts[i].second ? "-" : "+", sum, parts[i].first);
   return sum;
 }
 
-std::string GraphPrinter::fill(const std::string &text, const std::vector<Node *> &indices) {
+std::string GraphPrinter::fill(const std::string &text, const std::vector<Text> &indices) {
   std::string s;
   size_t next = 0;
   for (size_t i = 0; i < text.size(); ++i) {
@@ -229,7 +221,7 @@ std::string GraphPrinter::fill(const std::string &text, const std::vector<Node *
       continue;
     }
     bool factor = (i > 0 && text[i - 1] == '*') || (i + 1 < text.size() && text[i + 1] == '*');
-    Text t = show(indices[next++]).text;
+    const Text &t = indices[next++];
     s += factor ? operand(t, Product) : t.s;
   }
   return s;
@@ -238,25 +230,29 @@ std::string GraphPrinter::fill(const std::string &text, const std::vector<Node *
 std::string GraphPrinter::leaf(const Node *n) {
   static const std::map<Slot::Kind, const char *> texts = {
       {Slot::Q, "q[%]"},     {Slot::Qd, "qd[%]"},         {Slot::T, "t"},
-      {Slot::Qdd, "qdd[%]"}, {Slot::Lambda, "lambda[%]"}, {Slot::Direction, "w[%*k + %]"}};
+      {Slot::Qdd, "qdd[%]"}, {Slot::Lambda, "lambda[%]"}, {Slot::Direction, "w[%*k + c]"}};
   auto known = texts.find(n->slot->kind);
-  return fill(known == texts.end() ? n->slot->text : known->second, n->args);
+  std::vector<Text> indices;
+  for (const Node *arg : n->args) indices.push_back(show(arg).text);
+  return fill(known == texts.end() ? n->slot->text : known->second, indices);
 }
 
-// Rows of a matrix may stand further apart in memory than the graph has them.
 std::string GraphPrinter::element(const Array *a, const Node *at) {
-  auto bound = bound_.find(a);
-  if (bound == bound_.end()) return arrayName(a) + "[" + index(at) + "]";
-  const Binding &b = bound->second;
-  if (b.stride == b.columns) return b.name + "[" + index(at) + "]";
-  Node moved = *at;
-  moved.offset = at->offset / b.columns * b.stride + at->offset % b.columns;
-  for (auto &[loop, factor] : moved.terms)
-    if (factor % b.columns == 0) factor = factor / b.columns * b.stride;
-  return b.name + "[" + affine(&moved).s + "]";
+  auto known = bound_.find(a);
+  if (known == bound_.end()) return arrayName(a) + "[" + index(at) + "]";
+  const Binding &b = known->second;
+  if (std::count(b.lvalue.begin(), b.lvalue.end(), '%') == 1) return fill(b.lvalue, {show(at).text});
+  Node row = *at, column = *at;
+  row.offset = at->offset / b.columns, column.offset = at->offset % b.columns;
+  for (size_t i = 0; i < at->terms.size(); ++i) {
+    bool ofRow = at->terms[i].second % b.columns == 0;
+    row.terms[i].second = ofRow ? at->terms[i].second / b.columns : 0;
+    column.terms[i].second = ofRow ? 0 : at->terms[i].second;
+  }
+  return fill(b.lvalue, {affine(&row), affine(&column)});
 }
 
-void GraphPrinter::bind(const Array *a, const std::string &name, long columns, long stride) { bound_[a] = {name, columns, stride}; }
+void GraphPrinter::bind(const Array *a, const std::string &lvalue, long columns) { bound_[a] = {lvalue, columns}; }
 
 // Of a function that a batch evaluates.
 std::string GraphPrinter::result(const Node *n) {
@@ -505,7 +501,7 @@ std::string GraphPrinter::check(const Check &c, int indent) {
 
 std::string GraphPrinter::clear(const Array *a, int indent) {
   return blanks(indent) + "for (int i = 0; i < " + std::to_string(a->length) + "; ++i) " +
-         (bound_.count(a) ? bound_.at(a).name : arrayName(a)) + "[i] = 0.0;\n";
+         (bound_.count(a) ? fill(bound_.at(a).lvalue, {{"i", Primary}}) : arrayName(a) + "[i]") + " = 0.0;\n";
 }
 
 std::string GraphPrinter::external(const Node *, int) { return ""; }

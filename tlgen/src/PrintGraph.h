@@ -27,8 +27,8 @@ public:
   // taken: names that the body may not give to its own variables.
   GraphPrinter(Schedule &schedule, const Program &program, Sites &sites, std::set<std::string> taken);
 
-  // The array is memory of another name, a matrix of so many columns with rows stride numbers apart (both 1 for a row of numbers).
-  void bind(const Array *a, const std::string &name, long columns = 1, long stride = 1);
+  // Where the array is: an lvalue with one % for the index, or, for a matrix of so many columns, two for row and column.
+  void bind(const Array *a, const std::string &lvalue, long columns = 0);
   // Prints what an iteration of the loop, or (start) what is before it, does to rows in memory; by default nothing.
   using PrintRows = std::function<std::string(const Loop *loop, bool start, int indent)>;
   void setRows(PrintRows rows) { rows_ = std::move(rows); }
@@ -76,7 +76,7 @@ private:
   std::string leaf(const Node *n);
   std::string element(const Array *a, const Node *index);
   std::string result(const Node *n);
-  std::string fill(const std::string &text, const std::vector<Node *> &indices);
+  std::string fill(const std::string &text, const std::vector<Text> &indices);
   std::string index(const Node *n) { return show(n).text.s; }
 
   bool mustBeNamed(const Node *n, const Shown &shown) const;
@@ -84,8 +84,8 @@ private:
   std::string arrayName(const Array *a);
 
   struct Binding {
-    std::string name;
-    long columns, stride;
+    std::string lvalue;
+    long columns;
   };
 
   Schedule &schedule_;

@@ -11,8 +11,6 @@ namespace json = llvm::json;
 
 json::Object text(const std::string &s) { return json::Object{{"text", json::fixUTF8(s)}}; }
 
-const char *level(bool error) { return error ? "error" : "warning"; }
-
 // A path as a URI: relative where the path is.
 std::string uri(const std::string &path) {
   static const std::string plain = "/-._~";
@@ -32,7 +30,7 @@ json::Value rules(const Diagnostics &diags) {
     list.push_back(json::Object{{"id", k.id},
                                 {"shortDescription", text(k.why)},
                                 {"help", text(diags.words(k.instead))},
-                                {"defaultConfiguration", json::Object{{"level", level(k.severity == Severity::Error)}}}});
+                                {"defaultConfiguration", json::Object{{"level", nameOf(k.severity)}}}});
   return list;
 }
 
@@ -48,7 +46,7 @@ json::Value results(const Diagnostics &diags) {
   for (const Message &m : diags.messages())
     list.push_back(json::Object{{"ruleId", m.kind->id},
                                 {"ruleIndex", m.kind - allDiagnostics().data()},
-                                {"level", level(diags.isError(m))},
+                                {"level", nameOf(diags.severity(m))},
                                 {"message", text(diags.text(m))},
                                 {"locations", locations(m)}});
   return list;

@@ -31,7 +31,7 @@ public:
     Schedule schedule(graph, phases);
     Sites sites;
     GraphPrinter printer(schedule, program, sites, {"q", "qd", "qdd", "t", "work", "out", "k"});
-    for (const Array *out : outs) printer.bind(out, "out");
+    for (const Array *out : outs) printer.bind(out, "out[%]");
     std::string body;
     for (size_t i = 0; i < schedule.phases(); ++i) body += (i ? between : "") + printer.phase(i);
     return "static int " + name + "(const tl_real *q, const tl_real *qd, tl_real *qdd, tl_real *out, tl_real *work)\n{\n" +

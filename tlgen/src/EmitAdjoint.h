@@ -1,0 +1,37 @@
+// The adjoint emitter: a model's motion at one size as C functions, one for each need of the runtime.
+//
+// What each function computes is said in eom/motion.h; how it follows from the model, in Needs.h.
+#ifndef TLGEN_EMITADJOINT_H
+#define TLGEN_EMITADJOINT_H
+
+#include "Diagnostics.h"
+
+#include <map>
+
+namespace tlgen {
+
+// Registers: straight-line code on scalars. Rows: loops kept, tangents as rows in memory. Auto: by need and size.
+enum class Form { Auto, Registers, Rows };
+
+struct MotionOptions {
+  std::set<std::string> needs;          // of allNeeds()
+  std::map<std::string, long> sizes;    // integer members of the parameter struct, known when code is generated
+  std::vector<std::string> parameters;  // members to differentiate by
+  Form form = Form::Auto;
+};
+
+const std::vector<std::string> &allNeeds();
+
+struct MotionText {
+  std::string source; // functions and tables, for the model's .c file
+  std::string header; // their declarations
+  std::string report; // what each function costs
+  bool any() const { return !source.empty(); }
+};
+
+// Empty where the model needs sizes that are not given, or is outside of what this emitter can do; then diags says why.
+MotionText emitAdjoint(const Program &program, const Model &model, const MotionOptions &options, Diagnostics &diags);
+
+} // namespace tlgen
+
+#endif
