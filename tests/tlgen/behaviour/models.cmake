@@ -36,8 +36,7 @@ add_behaviour(recursive DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, &params)" P
 add_behaviour(copies DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
 add_behaviour(callbacks DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)" RECURSION power:4)
 add_behaviour(steps DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
-add_behaviour(rules DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)" RULES rules_bump:rules_bump_taylor)
-target_sources(behaviour_rules PRIVATE rules_external.c)
+add_behaviour(rules DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)" RULES rules_bump:rules_bump_taylor EXTERNAL rules_external.c)
 add_behaviour(mixed_structs DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
 add_behaviour(floats SINGLE DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
 # its functions differ from library to library

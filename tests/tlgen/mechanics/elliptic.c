@@ -9,7 +9,7 @@
 static void both(double m, double *K, double *E)
 {
     double a = 1.0, b = sqrt(1.0 - m), c = sqrt(m), power = 0.5, sum = 0.5 * m;
-    while (fabs(c) > 1e-17) {
+    while (fabs(c) > 1e-15) {
         double mean = (a + b) / 2;
         c = (a - b) / 2;
         b = sqrt(a * b);

@@ -27,8 +27,7 @@ add_mechanics(terrain_floor "point mass in a sampled potential; (int)floor of co
 add_mechanics(mesh "net of knots and threads; objects with flags and floats filled by memcpy, laws as callbacks in a table" DOF 8
   LAGRANGIAN net_lagrangian)
 add_mechanics(coils "coil on a spring over a coil, with circuits; elliptic integrals of a library by the user's rules" DOF 3
-  LAGRANGIAN gun_lagrangian FORCE gun_losses ARGS p=gun RULES ellint_K:ellint_K_taylor ellint_E:ellint_E_taylor PARAMS "&toy_gun")
-target_sources(mechanics_coils PRIVATE elliptic.c)
+  LAGRANGIAN gun_lagrangian FORCE gun_losses ARGS p=gun RULES ellint_K:ellint_K_taylor ellint_E:ellint_E_taylor PARAMS "&toy_gun" EXTERNAL elliptic.c)
 add_mechanics(quaternion_body "rigid body with a quaternion of unit length; small value types, functions that return them" DOF 4
   LAGRANGIAN quaternion_body HOLONOMIC quaternion_norm)
 add_mechanics(snakeboard "snakeboard with PD laws along sinusoids; output of a symbolic program, t2 t3 t4" DOF 6 LAGRANGIAN snakeboard_L

@@ -1,0 +1,213 @@
+// The machine that runs a function on symbols, for Trace.cpp and its parts: memory holds nodes of a graph and pointers.
+//
+// An object is a row of leaves, one per number or pointer in it, in the order of memory. Inputs (coordinates, parameters, constant
+// tables) are not held: reading them makes Leaf nodes. All other objects have a cell per leaf. Pointers are known at all times, up to
+// indices and choices of run time. What a path of execution knows is a State; where paths meet again their states are merged.
+#ifndef TLGEN_TRACER_H
+#define TLGEN_TRACER_H
+
+#include "Trace.h"
+#include "Values.h"
+
+#include <functional>
+
+namespace tlgen::symbols {
+
+struct Pointer;
+using PointerRef = std::shared_ptr<const Pointer>;
+
+// Where a pointer points: fixed + the sum of stride times index leaves behind the begin of an object. NULL where there is no object.
+struct Pointer {
+  static const int null = -1;
+  int object = null;
+  long fixed = 0;
+  std::map<long, Node *> indices; // by stride
+  Node *condition = nullptr;      // of run time: yes where it holds, no elsewhere; the members above mean nothing then
+  PointerRef yes, no;
+};
+
+// A number (real, integer or truth value) or pointer in memory. Lost: its value is not known here, and must not be asked for.
+struct Cell {
+  enum Kind { Unset, Number, Address, Lost } kind = Unset;
+  Node *node = nullptr;
+  PointerRef pointer;
+
+  bool same(const Cell &o) const;
+};
+using Cells = std::vector<Cell>;
+
+struct Object {
+  enum Kind { Storage, Coordinates, Parameters, Constant } kind = Storage;
+  size_t depth = 0;             // Storage: of the frame that it belongs to
+  std::string text;             // C text, with % for indices; of Storage the name
+  std::vector<Node *> indices;  // in that text
+  const Type *type = nullptr;   // of the object, or of an element
+  bool unbounded = false;       // an array of type, of unknown length
+  Slot::Kind slot = Slot::Q;    // Coordinates
+  const Variable *variable = nullptr; // Constant
+};
+
+// The conditions of run time under which a path of execution is taken.
+struct Path {
+  const Path *outer;
+  Node *condition;
+  const Guard *guard;
+  size_t length;
+};
+
+struct State {
+  bool live = false;
+  const Path *path = nullptr;
+  std::map<int, std::shared_ptr<const Cells>> objects;
+};
+
+class Tracer {
+public:
+  Tracer(Graph &graph, const Program &program, const Model &model, const TraceOptions &options)
+      : graph_(graph), program_(program), model_(model), options_(options), before_(graph.size()) {}
+
+  Traced run(const ModelFunction &f);
+
+private:
+  struct Jumps { // of a loop or switch around
+    std::vector<State> breaks, continues;
+    bool isSwitch = false;
+  };
+  struct Entry { // how a switch gets to its cases; null: default
+    const Stmt *label;
+    State state;
+  };
+  struct Frame {
+    std::vector<State> returned;
+    std::map<std::string, std::vector<State>> gotos;
+    std::vector<Jumps> jumps;
+    std::vector<std::vector<Entry>> switches;
+    int result = -1; // the object that holds what it returns
+  };
+
+  // Trace.cpp: model functions, statements and calls
+  Cells argument(const ModelFunction &f, size_t i);
+  long count(const Count &c) const;
+  Node *resultCell(int object, size_t i);
+  Array *rows(int object, const std::string &name);
+  void exec(const Stmt *s);
+  void execBlock(const Stmt *s);
+  void endScope(const Stmt *block);
+  void execIf(const Stmt *s);
+  void execSwitch(const Stmt *s);
+  void execCase(const Stmt *s);
+  void declare(const Variable *v, const Expr *init);
+  void jump(const Stmt *s);
+  Cells call(const Expr *e);
+  void runBody(const Function *f, const std::vector<Cells> &args);
+  void dropObjects(size_t depth);
+
+  // TraceLoop.cpp
+  void execLoop(const Stmt *s);
+  void unroll(const Stmt *s);
+  void round(const Stmt *s);
+  [[noreturn]] void endless(const Stmt *s, Node *condition);
+
+  // TraceExpression.cpp: the values of expressions
+  Cells eval(const Expr *e);
+  Cell cell(const Expr *e) { return eval(e)[0]; }
+  Node *number(const Expr *e);
+  PointerRef pointer(const Expr *e);
+  Node *truth(const Expr *e);
+  Node *truth(const Cell &c, const Type *type);
+  Cells load(const Expr *e);
+  Cell literal(const Expr *e);
+  Cells castOf(const Expr *e);
+  Node *convert(Node *n, const Type *from, const Type *to);
+  Node *rounded(Node *n);
+  Range bounds(const Node *n);
+  Range boundsOf(const Node *n);
+  Node *unary(const Expr *e);
+  Cell binary(const Expr *e);
+  Node *arithmetic(const std::string &op, Node *a, Node *b, const Type *type);
+  Node *realArithmetic(const std::string &op, Node *a, Node *b, const Type *type);
+  Node *integerArithmetic(const std::string &op, Node *a, Node *b, const Type *type);
+  Node *compare(const std::string &op, Node *a, Node *b, const Type *type);
+  Cell pointerBinary(const Expr *e);
+  PointerRef advanced(const PointerRef &p, Node *by, bool back, const Type *element);
+  Node *difference(const Pointer &a, const Pointer &b, long size);
+  Node *comparePointers(const std::string &op, const Pointer &a, const Pointer &b);
+  bool isGiven(const Pointer &p) const;
+  Node *isNull(const Pointer &p);
+  void branch(Node *condition, const std::function<void()> &yes, const std::function<void()> &no);
+  Node *logical(const Expr *e);
+  Cells conditional(const Expr *e);
+  Cells assign(const Expr *e);
+  Cells step(const Expr *e);
+  Cell demanded(const Cell &c, const Type *type);
+  Node *mathCall(const Expr *e);
+  Node *test(const Expr *e, const std::vector<Node *> &args);
+  Cells fill(const Type *type, const Expr *e);
+  PointerRef place(const Expr *e);
+  long leaves(const Type *type);
+
+  // TraceMemory.cpp: objects, what is in them, and the merging of paths
+  int object(size_t depth, const void *key, const std::string &name, const Type *type);
+  int newObject(Object o);
+  int constant(const Variable *v);
+  PointerRef to(int object) const;
+  PointerRef moved(const PointerRef &p, long stride, Node *index);
+  PointerRef moved(const PointerRef &p, long fixed);
+  PointerRef choice(Node *condition, const PointerRef &yes, const PointerRef &no);
+  Node *offset(const Pointer &p);
+  Cells read(const PointerRef &p, long size, const Type *type);
+  void write(const PointerRef &p, const Cells &cells);
+  void writeWhere(Node *condition, const Pointer &p, const Cells &cells);
+  Cells readStored(const Pointer &p, long size);
+  Cells readInput(const Pointer &p, long size);
+  Cell inputLeaf(const Object &o, const Pointer &p);
+  struct LeafText {
+    std::string text;
+    std::vector<Node *> indices;
+    const Type *type;
+    long length = 1;
+  };
+  LeafText leafText(const Object &o, const Pointer &p);
+  Node *memberLeaf(const LeafText &leaf, const Object &o);
+  std::vector<std::pair<Node *, long>> candidates(const Pointer &p, long length, long size);
+  void store(int id, Cells cells) { state_.objects[id] = std::make_shared<const Cells>(std::move(cells)); }
+  Cell merged(Node *condition, const Cell &yes, const Cell &no);
+  Cells merged(Node *condition, const Cells &yes, const Cells &no);
+  State merged(const State &a, const State &b);
+  State mergeAll(const std::vector<State> &states);
+  const Path *under(Node *condition);
+  void take(const Path *path);
+  void take(State state);
+
+  bool isVaried(Node *n);
+  std::string dependence(Node *n) const;
+  [[noreturn]] void unsuitable(const std::string &why) const { throw Unsuitable{why, graph_.loc}; }
+  void at(const Loc &loc) { graph_.loc = loc; }
+  void checkSize();
+
+  static const long maxSteps = 4000000; // a few seconds
+  static const int maxForks = 64;       // iterations that may end by a value of run time
+  static const size_t maxDepth = 400;
+  static const long maxLeaves = 1 << 20;
+
+  Graph &graph_;
+  const Program &program_;
+  const Model &model_;
+  const TraceOptions &options_;
+  const size_t before_; // nodes before this function
+  std::vector<Object> objects_;
+  std::map<std::pair<size_t, const void *>, int> ids_;
+  std::map<std::pair<std::string, std::vector<Node *>>, int> targets_; // of pointers in inputs
+  std::map<int, Cells> constants_;
+  std::map<const Record *, long> records_; // their leaves
+  std::deque<Path> paths_;
+  std::deque<Frame> frames_; // references stay good
+  std::unordered_map<const Node *, bool> varied_;
+  std::unordered_map<const Node *, Range> bounds_;
+  State state_;
+  long steps_ = 0;
+};
+
+} // namespace tlgen::symbols
+
+#endif
