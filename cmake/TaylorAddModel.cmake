@@ -1,9 +1,12 @@
 # taylor_add_model(TARGET SOURCES file.. DOF n|member [LAGRANGIAN f] [MODEL name] [FORCE f] [HOLONOMIC f[:rows]..]
 #                  [NONHOLONOMIC f[:rows]..] [ARGS role=name..] [RECURSION f:depth..] [RULES f:rule..]
+#                  [NEEDS need..] [SIZES member=n..] [PARAMETERS member..] [FORM registers|rows|auto]
 #                  [INCLUDE_DIRECTORIES dir..] [COMPILE_DEFINITIONS def..] [SELFTEST])
 #
 # Runs tlgen over plain C sources and makes a static library TARGET of the result. Programs that link it include <MODEL>_tl.h, which
-# declares <MODEL>_model; MODEL is TARGET's name where it is not given. LAGRANGIAN is not needed where the source marks the function with
+# declares <MODEL>_model; MODEL is TARGET's name where it is not given. NEEDS says which motion functions are printed
+# (energy simulate residual linearise tangent parameters; all, or none), SIZES for which sizes, PARAMETERS which members of the parameter
+# struct are differentiated by: tlgen --help has the defaults. LAGRANGIAN is not needed where the source marks the function with
 # TLGEN(lagrangian). A change in a source or a header that it includes runs tlgen again. SELFTEST also makes a program TARGET_selftest,
 # which checks every derivative of the model at points that you name; `TARGET_selftest --help` says how.
 
@@ -53,13 +56,13 @@ function(taylor_check_model target model)
 endfunction()
 
 function(taylor_add_model target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SELFTEST" "MODEL;DOF;LAGRANGIAN;FORCE"
-    "SOURCES;HOLONOMIC;NONHOLONOMIC;ARGS;RECURSION;RULES;INCLUDE_DIRECTORIES;COMPILE_DEFINITIONS")
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SELFTEST" "MODEL;DOF;LAGRANGIAN;FORCE;FORM"
+    "NEEDS;SIZES;PARAMETERS;SOURCES;HOLONOMIC;NONHOLONOMIC;ARGS;RECURSION;RULES;INCLUDE_DIRECTORIES;COMPILE_DEFINITIONS")
   if(arg_UNPARSED_ARGUMENTS)
     list(JOIN arg_UNPARSED_ARGUMENTS " " unknown)
     taylor_model_error(${target} "unknown arguments: ${unknown}")
   endif()
-  foreach(key IN ITEMS MODEL DOF LAGRANGIAN FORCE)
+  foreach(key IN ITEMS MODEL DOF LAGRANGIAN FORCE FORM)
     if(key IN_LIST arg_KEYWORDS_MISSING_VALUES)
       taylor_model_error(${target} "${key} wants a value")
     endif()
@@ -78,6 +81,18 @@ function(taylor_add_model target)
   endforeach()
   foreach(value IN LISTS arg_ARGS)
     list(APPEND options --arg ${value})
+  endforeach()
+  if(arg_FORM)
+    list(APPEND options --form ${arg_FORM})
+  endif()
+  foreach(value IN LISTS arg_NEEDS)
+    list(APPEND options --need ${value})
+  endforeach()
+  foreach(value IN LISTS arg_SIZES)
+    list(APPEND options --size ${value})
+  endforeach()
+  foreach(value IN LISTS arg_PARAMETERS)
+    list(APPEND options --parameter ${value})
   endforeach()
   foreach(value IN LISTS arg_RULES)
     list(APPEND options --rule ${value})
@@ -121,6 +136,10 @@ function(taylor_add_model target)
     COMMENT "tlgen ${arg_MODEL}_tl.c"
     COMMAND_EXPAND_LISTS VERBATIM)
   add_library(${target} STATIC ${output})
+  # Motion functions are made for vectors along rows, and for values in registers otherwise: vectors of unrelated scalars are slower, and
+  # Clang 19 has been seen to get them wrong in long straight-line code.
+  target_compile_options(${target} PRIVATE
+    $<$<C_COMPILER_ID:GNU>:-fno-math-errno;-fno-tree-slp-vectorize> $<$<C_COMPILER_ID:Clang>:-fno-math-errno;-fno-slp-vectorize>)
   target_include_directories(${target} PUBLIC ${folder} ${arg_INCLUDE_DIRECTORIES})
   target_link_libraries(${target} PUBLIC taylor::eom)
   if(arg_SELFTEST)

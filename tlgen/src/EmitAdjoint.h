@@ -14,9 +14,9 @@ namespace tlgen {
 enum class Form { Auto, Registers, Rows };
 
 struct MotionOptions {
-  std::set<std::string> needs;          // of allNeeds()
-  std::map<std::string, long> sizes;    // integer members of the parameter struct, known when code is generated
-  std::vector<std::string> parameters;  // members to differentiate by
+  std::set<std::string> needs;         // of allNeeds()
+  std::map<std::string, long> sizes;   // integer members of the parameter struct, known when code is generated
+  std::vector<std::string> parameters; // members to differentiate by
   Form form = Form::Auto;
 };
 

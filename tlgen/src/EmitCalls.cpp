@@ -30,8 +30,8 @@ public:
     EmittedModel out;
     out.header = header();
     out.source = title(".") + (userHeaders().empty() ? "" : "#define " + ownMark() + "\n") + "#include \"" + headerName +
-                 "\"\n\n#include \"taylor/taylor.h\"\n" + kernels() + "\n" + sourceRecords() + externals() + tables() + functions + adapters() +
-                 motion_.source + description();
+                 "\"\n\n#include \"taylor/taylor.h\"\n" + kernels() + "\n" + sourceRecords() + externals() + tables() + functions +
+                 adapters() + motion_.source + description();
     return out;
   }
 
@@ -47,10 +47,10 @@ private:
 
   // The headers that motion functions call.
   std::string kernels() const {
-    std::string s;
-    for (const char *header : {"finite", "ldl", "sincos_array"})
-      if (motion_.any()) s += std::string("#include \"taylor/") + header + ".h\"\n";
-    return s;
+    if (!motion_.any()) return "";
+    return "\n#include \"eom/motion.h\"\n#include \"taylor/finite.h\"\n#include \"taylor/ldl.h\"\n#include "
+           "\"taylor/sincos_array.h\"\n\n"
+           "#ifdef __clang__\n#pragma clang diagnostic ignored \"-Wpass-failed\" /* a loop that is not worth a vector */\n#endif\n";
   }
 
   // A struct that stands in a .c file can be had from nowhere else, so the header defines it; one from a header is the user's to
@@ -125,8 +125,8 @@ private:
     std::string guard = model_.name + "_TL_H";
     std::transform(guard.begin(), guard.end(), guard.begin(), [](unsigned char ch) { return static_cast<char>(toupper(ch)); });
     return title(".") + "#ifndef " + guard + "\n#define " + guard + "\n\n#include \"eom/model.h\"\n\n" + headerRecords() +
-           "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\nextern const eom_model " + model_.name +
-           "_model;\n" + motion_.header + "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
+           "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\nextern const eom_model " + model_.name + "_model;\n" + motion_.header +
+           "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
   }
 
   // Functions from elsewhere. Of stdlib.h only those that are called, since its other names may be the user's.

@@ -53,7 +53,8 @@ bool overwrites(const Run &run, std::set<std::string> read) {
 }
 
 // The files of one model; none on an error.
-OutFiles makeModel(const Options &options, const Parsed &parsed, const std::string &modelsFile, Diagnostics &diags, std::string &report) {
+OutFiles makeModel(const Options &options, const Parsed &parsed, const std::string &modelsFile, Diagnostics &diags,
+                   std::string &report) {
   Source source(parsed.units, diags);
   Match match = matchModel(source, options, diags);
   auto functions = checkSubset(source, match);

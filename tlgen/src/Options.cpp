@@ -137,7 +137,8 @@ bool addSize(Options &o, const std::string &text) {
   size_t eq = text.find('=');
   std::string member = text.substr(0, eq), value = eq == std::string::npos ? "" : text.substr(eq + 1);
   bool digits = !value.empty() && value.size() < 7 && value.find_first_not_of("0123456789") == std::string::npos;
-  if (member.empty() || !digits || std::stol(value) < 1) return usageError("--size wants MEMBER=N with N of 1 or more, for example --size n=6");
+  if (member.empty() || !digits || std::stol(value) < 1)
+    return usageError("--size wants MEMBER=N with N of 1 or more, for example --size n=6");
   if (!o.motion.sizes.emplace(member, std::stol(value)).second) return usageError("--size: the member '" + member + "' has two sizes");
   return true;
 }
@@ -276,8 +277,7 @@ Command explain(const std::string &id) {
     usageError("no message has the id '" + id + "'; 'tlgen --explain' lists them");
     return Command::Fail;
   }
-  std::cout << kind->id << " (" << nameOf(kind->severity) << ")\n"
-            << kind->why << "\nInstead: " << kind->instead << '\n';
+  std::cout << kind->id << " (" << nameOf(kind->severity) << ")\n" << kind->why << "\nInstead: " << kind->instead << '\n';
   return Command::Done;
 }
 

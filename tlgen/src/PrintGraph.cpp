@@ -100,6 +100,7 @@ std::string GraphPrinter::phase(size_t number) {
 
 std::string GraphPrinter::declarations() const {
   std::string s;
+  for (auto &[name, table] : tables_) s += "  static " + declaration(table->type, name) + " = " + initializer(table->init) + ";\n";
   long offset = 0;
   for (const Array *a : declared_) {
     const std::string &name = arrayNames_.at(a);
@@ -232,6 +233,8 @@ std::string GraphPrinter::leaf(const Node *n) {
       {Slot::Q, "q[%]"},     {Slot::Qd, "qd[%]"},         {Slot::T, "t"},
       {Slot::Qdd, "qdd[%]"}, {Slot::Lambda, "lambda[%]"}, {Slot::Direction, "w[%*k + c]"}};
   auto known = texts.find(n->slot->kind);
+  const Variable *table = n->slot->variable;
+  if (table && table->scope == Variable::Local) tables_[table->name] = table;
   std::vector<Text> indices;
   for (const Node *arg : n->args) indices.push_back(show(arg).text);
   return fill(known == texts.end() ? n->slot->text : known->second, indices);
@@ -344,7 +347,7 @@ GraphPrinter::Shown GraphPrinter::compute(const Node *n) {
   case Node::Math:
     return schedule_.place(n) ? Shown{{result(n), Postfix}, {}} : call(n->text);
   case Node::Taylor:
-    return {{"", Primary}, {}};
+    return n->args.size() > 1 ? call(n->text) : Shown{derivativeOf(n), {}};
   case Node::Convert: {
     Shown x = show(n->args[0]);
     x.text = {"(" + n->text + ")" + operand(x.text, Prefix), Prefix};
@@ -412,6 +415,10 @@ std::string GraphPrinter::loopText(Loop *loop, int indent) {
   body += updates(loop, indent + 2);
   quoted_ = outside;
   taken_.erase(name);
+  for (auto it = externals_.begin(); it != externals_.end();) {
+    const Loop *in = it->first.second->loop;
+    it = in && in->within(loop) ? externals_.erase(it) : std::next(it);
+  }
   return s + blanks(indent) + "for (" + head + ") {\n" + body + blanks(indent) + "}\n";
 }
 
@@ -504,6 +511,22 @@ std::string GraphPrinter::clear(const Array *a, int indent) {
          (bound_.count(a) ? fill(bound_.at(a).lvalue, {{"i", Primary}}) : arrayName(a) + "[i]") + " = 0.0;\n";
 }
 
-std::string GraphPrinter::external(const Node *, int) { return ""; }
+// Taylor coefficients of an external function of one argument, by the user's rule, as far as any of its derivatives is needed.
+std::string GraphPrinter::external(const Node *n, int indent) {
+  auto key = std::make_pair(n->text, (const Node *)n->args[0]);
+  if (n->args.size() > 1 || externals_.count(key)) return "";
+  std::string name = externals_[key] = fresh(n->text + "_coefs"), order = std::to_string(schedule_.highest(n));
+  size_t site = sites_.number(n);
+  failing_.insert(site);
+  return blanks(indent) + "tl_real " + name + "[" + order + " + 1];\n" + blanks(indent) + "outside" + std::to_string(site) +
+         " |= " + program_.rules.at(n->text).taylor + "(" + name + ", " + real(n->args[0]).s + ", " + order + ", NULL) != TL_OK;\n";
+}
+
+Text GraphPrinter::derivativeOf(const Node *n) {
+  Text coefficient{externals_.at({n->text, n->args[0]}) + "[" + std::to_string(n->which) + "]", Postfix};
+  double factorial = 1;
+  for (int k = 2; k <= n->which; ++k) factorial *= k;
+  return factorial == 1 ? coefficient : binaryText("*", {numberText(factorial), Primary}, coefficient);
+}
 
 } // namespace tlgen

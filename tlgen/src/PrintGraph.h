@@ -14,7 +14,7 @@ public:
     std::string function; // of math.h; "div" for a division, "compose" for one with a rule of the user
     Loc loc;
   };
-  size_t number(const Node *node);
+  size_t number(const Node *node); // may be a new one
   const std::vector<Site> &all() const { return sites_; }
 
 private:
@@ -34,6 +34,8 @@ public:
   void setRows(PrintRows rows) { rows_ = std::move(rows); }
   // A value as text, where it stands in the code that is being printed.
   std::string text(const Node *n) { return show(n).text.s; }
+  // A name for a variable that has none yet: the wish, or that with a number.
+  std::string fresh(const std::string &wish);
   // The statements of a phase, after those of the phases before.
   std::string phase(size_t number);
   // Declarations that go before the first phase: arrays, and what remembers failures. To be asked for last.
@@ -64,6 +66,7 @@ private:
   std::string check(const Check &c, int indent);
   std::string clear(const Array *a, int indent);
   std::string external(const Node *n, int indent);
+  Text derivativeOf(const Node *n);
   std::string quote(const Loc &loc, int indent);
 
   Shown show(const Node *n);
@@ -80,7 +83,6 @@ private:
   std::string index(const Node *n) { return show(n).text.s; }
 
   bool mustBeNamed(const Node *n, const Shown &shown) const;
-  std::string fresh(const std::string &wish);
   std::string arrayName(const Array *a);
 
   struct Binding {
@@ -98,7 +100,9 @@ private:
   std::map<std::pair<const Loop *, size_t>, std::string> carriedNames_;
   std::unordered_map<const Array *, std::string> arrayNames_;
   std::vector<const Array *> declared_;
-  std::map<const Batch *, std::pair<std::string, std::string>> results_; // sines and cosines, or values
+  std::map<std::string, const Variable *> tables_;                        // constants that are local to a function of the source
+  std::map<std::pair<std::string, const Node *>, std::string> externals_; // by function and argument: their coefficients
+  std::map<const Batch *, std::pair<std::string, std::string>> results_;  // sines and cosines, or values
   std::unordered_map<const Array *, Binding> bound_;
   PrintRows rows_;
   std::set<size_t> failing_; // sites

@@ -49,6 +49,27 @@ const Loop *loopOf(const Check &check) { return loopOf(check.guard ? check.guard
 // Of one argument in a loop; all others stand outside.
 const Loop *loopOf(const Batch &batch) { return batch.args.size() == 1 ? batch.args[0]->loop : nullptr; }
 
+// Iterations of a loop and those around it; half of the outer ones where they set the number.
+long iterations(const Loop *loop) {
+  long all = 1;
+  for (const Loop *l = loop; l; l = l->outer) {
+    if (!l->trips || l->trips->op != Node::Affine) continue;
+    double trips = double(l->trips->offset);
+    for (auto &[outer, factor] : l->trips->terms)
+      if (outer->trips && outer->trips->isConstant()) trips += 0.5 * double(factor * (outer->trips->offset - 1));
+    all = long(double(all) * trips);
+  }
+  return all;
+}
+
+void countOperation(const Node *n, Operations &to) {
+  long times = iterations(n->loop);
+  if (n->op == Node::Add) to.adds += times;
+  if (n->op == Node::Mul && !n->args[0]->is(-1)) to.products += times;
+  if (n->op == Node::Recip) to.reciprocals += times;
+  if (n->op == Node::Math || n->op == Node::Taylor) to.functions += times;
+}
+
 std::vector<Node *> nodesOf(const RowUpdate &u) {
   std::vector<Node *> nodes;
   auto add = [&](Node *n) {
@@ -62,6 +83,25 @@ std::vector<Node *> nodesOf(const RowUpdate &u) {
 // Where an update runs: the iterations of its loop, or before these.
 const Loop *blockOf(const RowUpdate &u) { return u.before ? u.loop->outer : u.loop; }
 
+<<<<<<< HEAD
+=======
+// Leaves out what changes rows that no result follows from.
+void dropUnused(std::vector<RowUpdate> &updates) {
+  std::set<const Row *> used;
+  size_t before;
+  do {
+    before = used.size();
+    for (const RowUpdate &u : updates) {
+      if (!u.row->result && !used.count(u.row)) continue;
+      used.insert(u.row);
+      for (auto &[direction, factor] : u.sum)
+        if (direction->row) used.insert(direction->row);
+    }
+  } while (used.size() != before);
+  updates.erase(std::remove_if(updates.begin(), updates.end(), [&](const RowUpdate &u) { return !used.count(u.row); }), updates.end());
+}
+
+>>>>>>> 6d33d5f ([tlgen] Emit motion functions in two forms, by need and size)
 // Sums of squares and positive numbers, exponentials, and roots, whose own condition is stronger.
 bool isPositive(const Node *n);
 
@@ -285,6 +325,12 @@ void Schedule::batchAlone(Node *n) {
 void Schedule::countUses() {
   Needed needed = need(0, true);
   arrays_ = needed.arrays;
+  for (const Node *n : needed.nodes) {
+    countOperation(n, operations_);
+    if (n->op != Node::Taylor) continue;
+    int &order = highest_[{n->text, n->args[0]}];
+    order = std::max(order, n->which);
+  }
   auto use = [&](const Node *n, const Loop *in) {
     if (!n) return;
     Use &u = uses_[n];

@@ -65,6 +65,11 @@ struct Item {
 // The statements of each loop's body in order; null: those outside of all loops.
 using Blocks = std::unordered_map<const Loop *, std::vector<Item>>;
 
+// How much is to be done, all iterations counted where their number is known.
+struct Operations {
+  long adds = 0, products = 0, reciprocals = 0, functions = 0;
+};
+
 class Schedule {
 public:
   Schedule(Graph &graph, std::vector<Phase> phases);
@@ -84,6 +89,9 @@ public:
   std::vector<RowUpdate> updates(const Loop *loop, bool before) const;
   // Arrays that any phase uses.
   const std::vector<const Array *> &arrays() const { return arrays_; }
+  // The highest derivative that is needed of an external function at an argument: of a Taylor node.
+  int highest(const Node *taylor) const { return highest_.at({taylor->text, taylor->args[0]}); }
+  Operations operations() const { return operations_; }
   const std::vector<Check> &checks() const { return checks_; }
   const std::deque<Batch> &batches() const { return batches_; }
 
@@ -113,6 +121,8 @@ private:
   std::unordered_map<const Node *, Use> uses_;
   std::unordered_map<const Node *, std::vector<size_t>> checksOf_;
   std::vector<const Array *> arrays_;
+  Operations operations_;
+  std::map<std::pair<std::string, const Node *>, int> highest_;
   std::set<const Node *> doneNodes_;
   std::set<const Array *> doneArrays_;
   std::set<const Batch *> doneBatches_;

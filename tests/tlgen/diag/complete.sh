@@ -5,6 +5,6 @@ set -euo pipefail
 missing=0
 for id in $("$1" --explain | sed 's/:.*//'); do
   [ "$id" = no-file ] && continue # usage.sh
-  grep -rqE "/\* (expect|warns)[a-z ]*: ([a-z-]+ )*$id( |$)" "$2"/*.c "$2"/parts/*.c || { echo "no source expects $id"; missing=1; }
+  grep -rqE "/\* (expect|warns|notes)[a-z ]*: ([a-z-]+ )*$id( |$)" "$2"/*.c "$2"/parts/*.c || { echo "no source expects $id"; missing=1; }
 done
 exit $missing

@@ -3,7 +3,8 @@
 #   refuse.sh TLGEN SOURCE
 # The source says  /* tlgen: ARGUMENTS */  once (default: --lagrangian L --dof 1), and  /* expect: ID .. */  on each line at fault;
 # In the arguments HERE: is the source's folder; of further sources the lines count too.
-# /* expect without a line: ID .. */ is for faults of the command line, /* warns: ID .. */ for warnings. A source that announces nothing is accepted without a word.
+# /* expect without a line: ID .. */ is for faults of the command line, /* warns: ID .. */ for warnings, and
+# /* notes: ID .. */ for notes. A source that announces nothing is accepted without a word.
 set -euo pipefail
 tlgen=$1 source=$2
 work=$(mktemp -d)
@@ -18,7 +19,7 @@ for argument in "${arguments[@]}"; do [[ $argument != *.c ]] || sources+=("$argu
 {
   sed -n 's|^.*/\* expect without a line: \(.*\) \*/.*$|0 \1|p' "$source"
   sed -sn '/\/\* expect: /{=;p}' "${sources[@]}" | sed 'N;s|^\([0-9]*\)\n.*/\* expect: \(.*\) \*/.*$|\1 \2|'
-  sed -sn '/\/\* warns: /{=;p}' "${sources[@]}" | sed 'N;s|^\([0-9]*\)\n.*/\* warns: \(.*\) \*/.*$|\1 \2|'
+  sed -sn '/\/\* \(warns\|notes\): /{=;p}' "${sources[@]}" | sed 'N;s#^\([0-9]*\)\n.*/\* \(warns\|notes\): \(.*\) \*/.*$#\1 \3#'
 } | while read -r line ids; do for id in $ids; do echo "$line $id"; done; done | sort -u >"$work/expected"
 
 cd "$work"
@@ -26,7 +27,7 @@ status=0
 "$tlgen" "$source" "${arguments[@]}" --model m -o out.c -MD -- -std=c11 2>messages >printed || status=$?
 
 # FILE:LINE:COLUMN: error: TEXT [ID], or FILE: error: TEXT [ID]
-sed -n 's|^[^ ]*\.c: error: .* \[\([a-z-]*\)\]$|0 \1|p; s|^tlgen: error: .* \[\([a-z-]*\)\]$|0 \1|p; s#^[^ ]*:\([0-9]*\):[0-9]*: \(error\|warning\): .* \[\([a-z-]*\)\]$#\1 \3#p' \
+sed -n 's|^[^ ]*\.c: error: .* \[\([a-z-]*\)\]$|0 \1|p; s|^tlgen: error: .* \[\([a-z-]*\)\]$|0 \1|p; s#^[^ ]*:\([0-9]*\):[0-9]*: \(error\|warning\|note\): .* \[\([a-z-]*\)\]$#\1 \3#p' \
   messages | sort -u >found
 
 failed=0

@@ -41,6 +41,14 @@ expect 2 "would be overwritten" "$tlgen" "${good[@]}" -o model.c
 expect 2 "would be overwritten" "$tlgen" "${good[@]}" -o ./model.c
 expect 2 "would be overwritten" "$tlgen" "${good[@]}" -o "$work/model.c"
 expect 2 "no message has the id 'nonsense'" "$tlgen" --explain nonsense
+expect 2 "'speed' is no need" "$tlgen" "${good[@]}" --need speed
+expect 2 "--need wants a list" "$tlgen" "${good[@]}" --need ,
+expect 2 "--size wants MEMBER=N" "$tlgen" "${good[@]}" --size 6
+expect 2 "--size wants MEMBER=N" "$tlgen" "${good[@]}" --size n=0
+expect 2 "'n' has two sizes" "$tlgen" "${good[@]}" --size n=6 --size n=7
+expect 2 "--parameter wants names" "$tlgen" "${good[@]}" --parameter ,mass
+expect 2 "wants --parameter" "$tlgen" "${good[@]}" --need parameters
+expect 2 "'columns' is no form" "$tlgen" "${good[@]}" --form columns
 expect 1 "[no-file]" "$tlgen" missing.c --lagrangian L --dof 1
 expect 1 "[no-file]" "$tlgen" . --lagrangian L --dof 1 --model m -o m.c
 expect 1 "[no-file]" "$tlgen" "${good[@]}" -p missing

@@ -1,0 +1,362 @@
+// The functions of eom_motion: the statements of their results, and what comes between and after them.
+#include "MotionFunctions.h"
+#include "Trace.h"
+
+#include <algorithm>
+
+namespace tlgen {
+namespace {
+
+std::string str(long n) { return std::to_string(n); }
+
+bool isWordPart(char ch) { return isalnum(static_cast<unsigned char>(ch)) || ch == '_'; }
+
+std::string withoutComments(std::string text) {
+  for (size_t at; (at = text.find("/*")) != std::string::npos;) text.erase(at, text.find("*/", at) + 2 - at);
+  return text;
+}
+
+bool usesWord(const std::string &text, const std::string &word) {
+  for (size_t at = 0; (at = text.find(word, at)) != std::string::npos; at += word.size()) {
+    size_t end = at + word.size();
+    if ((at == 0 || !isWordPart(text[at - 1])) && (end == text.size() || !isWordPart(text[end]))) return true;
+  }
+  return false;
+}
+
+std::string indented(const std::string &text) {
+  std::string s;
+  for (size_t at = 0, end; at < text.size(); at = end) {
+    end = text.find('\n', at) + 1;
+    s += "  " + text.substr(at, end - at);
+  }
+  return s;
+}
+
+std::string without(std::string text, const std::string &word) {
+  for (size_t at; (at = text.find(word)) != std::string::npos;) text.erase(at, word.size());
+  return text;
+}
+
+long padded(long n) { return (n + 7) / 8 * 8; }
+
+// for (int i = 0; i < count; ++i) statement, and the same for two indices.
+std::string each(long count, const std::string &statement) {
+  return "  for (int i = 0; i < " + str(count) + "; ++i) " + statement + "\n";
+}
+std::string each(long rows, long columns, const std::string &statement) {
+  return "  for (int i = 0; i < " + str(rows) + "; ++i)\n    for (int j = 0; j < " + str(columns) + "; ++j) " + statement + "\n";
+}
+
+std::string finite(const std::string &count, const std::string &array) {
+  return "  if (!tl_finite_array(" + count + ", " + array + ")) return EOM_MOTION_NOT_FINITE;\n";
+}
+std::string finite(long count, const std::string &array) { return count ? finite(str(count), array) : ""; }
+
+// Some results of a need, printed without a break.
+struct Part {
+  std::string need;
+  std::vector<std::string> names;
+};
+
+} // namespace
+
+// The statements of one function. Results are given their places first, then printed part by part.
+class MotionFunctions::Body {
+public:
+  Body(MotionFunctions &of, MotionValues &values, std::vector<Part> parts)
+      : values(values), parts_(std::move(parts)), schedule_(values.graph, phases()),
+        printer(schedule_, of.program_, of.sites_, of.takenNames()) {}
+
+  // The result, a row of numbers, is memory of that name.
+  void vector(size_t part, const std::string &name, const std::string &lvalue) {
+    auto found = results(part).arrays.find(name);
+    if (found != results(part).arrays.end()) printer.bind(found->second, lvalue);
+  }
+
+  // The result, a matrix, is memory of that name with rows stride numbers apart.
+  void matrix(size_t part, const std::string &name, const std::string &to, long columns, long stride) {
+    auto row = results(part).rows.find(name);
+    auto array = results(part).arrays.find(name);
+    if (row != results(part).rows.end())
+      rows(part, columns).bind(row->second, to, stride);
+    else if (array != results(part).arrays.end())
+      printer.bind(array->second, to + (columns == stride ? "[%]" : "[%*" + str(stride) + " + %]"), columns);
+  }
+
+  // The result, a matrix, comes to stand in an output without padding: text that copies it there, where it was made elsewhere.
+  std::string output(size_t part, const std::string &name, const std::string &to, long count, long columns) {
+    if (!results(part).rows.count(name)) {
+      matrix(part, name, to, columns, columns);
+      return "";
+    }
+    long stride = padded(columns);
+    std::string from = memory(name + "_rows", count * stride);
+    matrix(part, name, from, columns, stride);
+    return unpack(part, name, to, from, count, columns, stride);
+  }
+
+  // Copies a matrix to an output; rows of r_y and g_y have the columns of a coordinate and its velocity side by side.
+  std::string unpack(size_t part, const std::string &name, const std::string &to, const std::string &from, long count, long columns,
+                     long stride, const std::string &sign = "") {
+    std::string row = to + "[i*" + str(columns) + " + j", read = " = " + sign + from + "[i*" + str(stride);
+    bool paired = results(part).rows.count(name) && (name == "r_y" || name == "g_y");
+    if (!paired) return each(count, columns, row + "]" + read + " + j];");
+    return each(count, columns / 2, row + "]" + read + " + 2*j];") +
+           each(count, columns / 2, row + " + " + str(columns / 2) + "]" + read + " + 2*j + 1];");
+  }
+
+  // Declares an array of so many numbers: on the stack in straight-line code, in the caller's memory otherwise.
+  std::string memory(const std::string &name, long count) {
+    memory_.push_back({name, padded(count)});
+    return name;
+  }
+
+  std::string print(size_t part) {
+    auto found = rows_.find(part);
+    if (found == rows_.end() && !results(part).updates().empty()) rows(part, 1);
+    if (rows_.count(part)) {
+      RowPrinter *rows = rows_.at(part).get();
+      printer.setRows([rows](const Loop *loop, bool start, int indent) { return rows->print(loop, start, indent); });
+    }
+    return printer.phase(part);
+  }
+
+  // The same, and the end where it failed for a place in the source.
+  std::string printChecked(size_t part) {
+    std::string s = print(part);
+    return s + printer.returnSite();
+  }
+
+  // To be asked for last.
+  std::string declarations() {
+    std::string s = printer.declarations();
+    workspace_ = printer.workspace();
+    for (auto &[part, rows] : rows_) {
+      s += rows->declarations(workspace_);
+      workspace_ += rows->workspace();
+    }
+    std::string own;
+    for (auto &[name, count] : memory_) {
+      if (values.rows) {
+        own += "  tl_real *const restrict " + name + " = work + " + str(workspace_) + ";\n";
+        workspace_ += count;
+      } else {
+        own += "  tl_real " + name + "[" + str(count) + "];\n";
+      }
+    }
+    return own + s;
+  }
+  long workspace() const { return workspace_; }
+
+  // Operations on scalars in all iterations, and what is kept in memory.
+  std::string cost() const {
+    Operations o = schedule_.operations();
+    return "adds " + str(o.adds) + ", products " + str(o.products) + ", reciprocals " + str(o.reciprocals) + ", functions " +
+           str(o.functions) + ", memory " + str(workspace_ * long(sizeof(double))) + " bytes";
+  }
+
+  MotionValues &values;
+
+private:
+  Results &results(size_t part) { return values.results(parts_[part].need); }
+
+  std::vector<Phase> phases() {
+    std::vector<Phase> all;
+    for (size_t part = 0; part < parts_.size(); ++part) {
+      Phase phase;
+      for (const std::string &name : parts_[part].names) {
+        auto array = results(part).arrays.find(name);
+        if (array != results(part).arrays.end()) phase.arrays.push_back(array->second);
+      }
+      phase.updates = results(part).updates();
+      all.push_back(phase);
+    }
+    return all;
+  }
+
+  RowPrinter &rows(size_t part, long columns) {
+    auto &made = rows_[part];
+    if (!made)
+      made = std::make_unique<RowPrinter>(printer, schedule_, columns, [this](const std::string &wish) { return printer.fresh(wish); });
+    return *made;
+  }
+
+  std::vector<Part> parts_;
+  Schedule schedule_;
+  std::map<size_t, std::unique_ptr<RowPrinter>> rows_;
+  std::vector<std::pair<std::string, long>> memory_;
+  long workspace_ = 0;
+
+public:
+  GraphPrinter printer;
+};
+
+// Names of arguments and of the variables that are printed here.
+std::set<std::string> MotionFunctions::takenNames() const {
+  std::set<std::string> names = {"params",  "q",     "qd",         "t",        "qdd",    "lambda", "k",       "c",    "w",
+                                 "work",    "out",   "r",          "M",        "Q",      "A",      "b",       "dinv", "pivot",
+                                 "energy",  "r_y",   "g_y",        "r_w",      "g_w",    "r_p",    "g_p",     "phi",  "psi",
+                                 "phi_dot", "qdd_y", "lagrangian", "dqdd",     "solved", "B",      "sum",     "i",    "j",
+                                 "l",       "auto",  "register",   "restrict", "inline", "signed", "momentum"};
+  names.insert(TRACE_PARAMS);
+  for (const Variable *v : program_.globals) names.insert(v->name);
+  for (const Function *f : program_.functions) names.insert(f->name);
+  for (const auto &rule : program_.rules) names.insert({rule.second.function, rule.second.taylor});
+  return names;
+}
+
+MotionFunction MotionFunctions::print(const std::string &name, MotionValues &values) {
+  static const std::string given = "const tl_real *restrict qdd, ", fixed = given + "const tl_real *restrict lambda, ";
+  static const std::string directions = "int k, const tl_real *restrict w, ";
+  if (name == "energy") {
+    Body body(*this, values, {{"energy", {"momentum", "lagrangian"}}});
+    return define(name, "tl_real *restrict momentum, tl_real *restrict lagrangian, tl_real *restrict energy", body, energy(body));
+  }
+  if (name == "simulate") {
+    Body body(*this, values, {{"simulate", {"M", "Q", "phi", "phi_dot", "b_phi", "A_phi", "psi", "b_psi", "A_psi"}}});
+    return define(name, "const eom_parts *out", body, simulate(body));
+  }
+  if (name == "residual") {
+    Body body(*this, values, {{"residual", {"r"}}});
+    return define(name, given + "tl_real *restrict r", body, residual(body));
+  }
+  if (name == "linearise") {
+    Body body(*this, values, {{"linearise", {"r_y", "g_y"}}});
+    return define(name, fixed + "tl_real *restrict r_y, tl_real *restrict g_y", body, derivatives(body, "y", 2 * values.n));
+  }
+  if (name == "parameters") {
+    Body body(*this, values, {{"parameters", {"r_p", "g_p"}}});
+    return define(name, fixed + "tl_real *restrict r_p, tl_real *restrict g_p", body,
+                  derivatives(body, "p", long(values.parameters.size())));
+  }
+  if (name == "tangent") {
+    Body body(*this, values, {{"tangent", {"r_w", "g_w"}}});
+    return define(name, fixed + directions + "tl_real *restrict r_w, tl_real *restrict g_w", body, tangent(body));
+  }
+  if (name == "acceleration") {
+    Body body(*this, values, {{"simulate", {"M", "Q"}}});
+    return define(name, "tl_real *restrict solved", body, acceleration(body));
+  }
+  if (name == "jacobian") {
+    Body body(*this, values, {{"simulate", {"M", "Q"}}, {"linearise", {"r_y"}}});
+    return define(name, "tl_real *restrict solved, tl_real *restrict qdd_y", body, jacobian(body));
+  }
+  Body body(*this, values, {{"simulate", {"M", "Q"}}, {"tangent", {"r_w"}}});
+  return define(name, directions + "tl_real *restrict solved, tl_real *restrict dqdd", body, directional(body));
+}
+
+MotionFunction MotionFunctions::define(const std::string &name, const std::string &args, Body &body, const std::string &statements) {
+  std::string text = body.declarations() + statements, start, code = withoutComments(text);
+  for (const char *arg : {"q", "qd", "t", "qdd", "lambda", "r_p", "g_y", "g_w", "g_p", "work"}) {
+    bool common = std::string("q qd t work").find(arg) != std::string::npos;
+    if ((common || usesWord(args, arg)) && !usesWord(code, arg)) start += (start.empty() ? "  (void)" : ", (void)") + std::string(arg);
+  }
+  if (!start.empty()) start += ";\n";
+  if (model_.params && usesWord(code, TRACE_PARAMS))
+    start += "  const " + model_.params->spelling + " *const " + TRACE_PARAMS + " = params;\n";
+  start += "  if (!" + model_.name + "_fits(params)) return EOM_MOTION_SIZE;\n";
+  MotionFunction f;
+  std::string head = "int " + model_.name + "_" + name +
+                     "(const void *params, const tl_real *restrict q, const tl_real *restrict qd, tl_real t, " + args +
+                     ", tl_real *restrict work)";
+  f.definition = head + "\n{\n" + start + text + "  return 0;\n}\n\n";
+  f.prototype = without(head, "restrict ") + ";\n";
+  f.workspace = body.workspace();
+  f.cost = body.cost();
+  return f;
+}
+
+// E = p.qd - L.
+std::string MotionFunctions::energy(Body &body) {
+  long n = body.values.n;
+  body.vector(0, "momentum", "momentum[%]");
+  body.vector(0, "lagrangian", "lagrangian[%]");
+  std::string s = body.printChecked(0);
+  return s + "  tl_real sum = -lagrangian[0];\n" + each(n, "sum += momentum[i] * qd[i];") + "  energy[0] = sum;\n" +
+         finite(n, "momentum") + "  if (!TL_ISFINITE(lagrangian[0]) || !TL_ISFINITE(sum)) return EOM_MOTION_NOT_FINITE;\n";
+}
+
+std::string MotionFunctions::simulate(Body &body) {
+  long n = body.values.n, m1 = body.values.m1, m2 = body.values.m2;
+  std::string locals, copies;
+  auto pointer = [&](const std::string &name, const std::string &to) {
+    locals += "  tl_real *const restrict " + name + " = out->" + to + ";\n";
+  };
+  auto vector = [&](const std::string &name, const std::string &to) {
+    pointer(name, to);
+    body.vector(0, name, name + "[%]");
+  };
+  auto matrix = [&](const std::string &name, const std::string &to, long count) {
+    pointer(name, to);
+    copies += body.output(0, name, name, count, n);
+  };
+  matrix("M", "M", n);
+  vector("Q", "Q");
+  if (m1) vector("phi", "phi"), vector("phi_dot", "phi_dot"), vector("b_phi", "b"), matrix("A_phi", "A", m1);
+  if (m2) vector("psi", "psi"), vector("b_psi", "b + " + str(m1)), matrix("A_psi", "A + " + str(m1 * n), m2);
+  std::string s = locals + body.printChecked(0) + copies;
+  if (n > 1)
+    s += "  for (int i = 1; i < " + str(n) + "; ++i)\n    for (int j = 0; j < i; ++j) M[i*" + str(n) + " + j] = M[j*" + str(n) +
+         " + i];\n";
+  s += finite(n * n, "M") + finite(n, "Q") + finite(m1, "out->phi") + finite(m1, "out->phi_dot") + finite(m2, "out->psi");
+  return s + finite((m1 + m2) * n, "out->A") + finite(m1 + m2, "out->b");
+}
+
+std::string MotionFunctions::residual(Body &body) {
+  body.vector(0, "r", "r[%]");
+  return body.printChecked(0) + finite(body.values.n, "r");
+}
+
+// r_y and g_y, or r_p and g_p.
+std::string MotionFunctions::derivatives(Body &body, const std::string &suffix, long columns) {
+  long n = body.values.n, m = body.values.m1 + body.values.m2;
+  std::string r = "r_" + suffix, g = "g_" + suffix;
+  std::string copies = body.output(0, r, r, n, columns) + body.output(0, g, g, m, columns);
+  return body.printChecked(0) + copies + finite(n * columns, r) + finite(m * columns, g);
+}
+
+// One direction after the other.
+std::string MotionFunctions::tangent(Body &body) {
+  long n = body.values.n, m = body.values.m1 + body.values.m2;
+  body.vector(0, "r_w", "r_w[%*k + c]");
+  body.vector(0, "g_w", "g_w[%*k + c]");
+  std::string s = "  for (int c = 0; c < k; ++c) {\n" + indented(body.print(0)) + "  }\n";
+  s += body.printer.returnSite() + finite(str(n) + "*k", "r_w");
+  return s + (m ? finite(str(m) + "*k", "g_w") : "");
+}
+
+// M and Q, and qdd from them.
+std::string MotionFunctions::solve(Body &body) {
+  long n = body.values.n, ld = padded(n);
+  body.matrix(0, "M", body.memory("M", n * ld), n, ld);
+  body.vector(0, "Q", body.memory("Q", n) + "[%]");
+  body.memory("qdd", n), body.memory("dinv", n);
+  return body.printChecked(0) + "  const tl_real pivot = tl_ldl_factor_solve(" + str(n) + ", qdd, M, " + str(ld) +
+         ", dinv, Q);\n  if (!(pivot > EOM_MOTION_LEAST_PIVOT(" + str(n) + "))) return EOM_MOTION_PIVOT;\n";
+}
+
+std::string MotionFunctions::acceleration(Body &body) {
+  return solve(body) + each(body.values.n, "solved[i] = qdd[i];") + finite(body.values.n, "qdd");
+}
+
+std::string MotionFunctions::jacobian(Body &body) {
+  long n = body.values.n, columns = 2 * n, ld = padded(columns);
+  body.matrix(1, "r_y", body.memory("B", n * ld), columns, ld);
+  std::string s = solve(body);
+  s += body.printChecked(1) + "  tl_ldl_solve_many(" + str(n) + ", " + str(columns) + ", B, " + str(ld) + ", M, " + str(padded(n)) +
+       ", dinv);\n";
+  return s + each(n, "solved[i] = qdd[i];") + body.unpack(1, "r_y", "qdd_y", "B", n, columns, ld, "-") + finite(n, "qdd") +
+         finite(n * columns, "qdd_y");
+}
+
+std::string MotionFunctions::directional(Body &body) {
+  long n = body.values.n;
+  body.vector(1, "r_w", body.memory("B", n) + "[%]");
+  std::string s = solve(body);
+  s += "  for (int c = 0; c < k; ++c) {\n" + indented(body.print(1)) + "    tl_ldl_solve(" + str(n) + ", B, M, " + str(padded(n)) +
+       ", dinv, B);\n  " + each(n, "dqdd[i*k + c] = -B[i];") + "  }\n";
+  return s + body.printer.returnSite() + each(n, "solved[i] = qdd[i];") + finite(n, "qdd") + finite(str(n) + "*k", "dqdd");
+}
+
+} // namespace tlgen

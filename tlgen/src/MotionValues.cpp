@@ -1,0 +1,59 @@
+// Traces a model's functions, and finds the members to differentiate by.
+#include "MotionValues.h"
+#include "Trace.h"
+
+namespace tlgen {
+
+MotionValues::MotionValues(const Program &program, const Model &model, const MotionOptions &options, bool inRows) : rows(inRows) {
+  TraceOptions how;
+  how.sizes = options.sizes;
+  how.keepLoops = rows;
+  n = equations_.n = model.dof.member.empty() ? model.dof.value : options.sizes.at(model.dof.member);
+  for (const ModelFunction &f : model.functions) {
+    Traced traced = trace(graph, program, model, f, how);
+    if (f.role == Role::Lagrangian) equations_.lagrangian = traced.value;
+    if (f.role == Role::Force) equations_.force = traced.rows;
+    if (f.role == Role::Holonomic) equations_.holonomic.push_back(traced.rows), m1 += traced.rows->length;
+    if (f.role == Role::Nonholonomic) equations_.nonholonomic.push_back(traced.rows), m2 += traced.rows->length;
+  }
+  findParameters(model, options);
+  needs_ = std::make_unique<Needs>(graph, equations_, !rows);
+}
+
+Results &MotionValues::results(const std::string &need) {
+  auto known = results_.find(need);
+  if (known != results_.end()) return known->second;
+  Results made = need == "energy"      ? needs_->energy()
+                 : need == "simulate"  ? needs_->simulate()
+                 : need == "residual"  ? needs_->residual()
+                 : need == "linearise" ? needs_->linearise()
+                 : need == "tangent"   ? needs_->tangent()
+                                       : needs_->parameters(columns_, long(parameters.size()));
+  if (const Node *f = needs_->noFormula()) throw Unsuitable{"tlgen has no formula for the derivative of '" + f->text + "'", f->loc};
+  for (const auto &jets : made.jets)
+    if (const Node *n = jets->unsuitable()) throw Unsuitable{"which coordinate is read here depends on a loop", n->loc};
+  return results_.emplace(need, std::move(made)).first->second;
+}
+
+// Members are numbers, or arrays of constant length.
+void MotionValues::findParameters(const Model &model, const MotionOptions &options) {
+  for (const std::string &member : options.parameters) {
+    const Type *type = nullptr;
+    for (const Field &field : model.params ? model.params->fields : std::vector<Field>())
+      if (field.name == member) type = field.type;
+    bool array = type && type->kind == Type::Array;
+    const Type *number = array ? type->element : type;
+    if (!number || number->kind != Type::Real || (array && type->count < 1))
+      throw Unsuitable{"'" + member + "' is no number of the parameter struct, and no array of numbers",
+                       model.functions[0].function->loc};
+    Slot slot;
+    slot.kind = Slot::Member;
+    slot.text = std::string(TRACE_PARAMS) + "->" + member + (array ? "[%]" : "");
+    slot.length = array ? type->count : 1;
+    columns_.push_back({graph.slot(slot), long(parameters.size())});
+    for (long k = 0; k < slot.length; ++k)
+      parameters.push_back(std::string(TRACE_PARAMS) + "->" + member + (array ? "[" + std::to_string(k) + "]" : ""));
+  }
+}
+
+} // namespace tlgen

@@ -1,0 +1,35 @@
+// A model's functions as the values of one graph, in one form, and what the needs make of them.
+#ifndef TLGEN_MOTIONVALUES_H
+#define TLGEN_MOTIONVALUES_H
+
+#include "EmitAdjoint.h"
+#include "Needs.h"
+#include "PrintGraph.h"
+
+namespace tlgen {
+
+class MotionValues {
+public:
+  // rows: loops are kept and tangents are rows in memory; otherwise all is straight-line. Throws Unsuitable.
+  MotionValues(const Program &program, const Model &model, const MotionOptions &options, bool rows);
+
+  // Of a need, computed once. Throws Unsuitable.
+  Results &results(const std::string &need);
+
+  const bool rows;
+  long n = 0, m1 = 0, m2 = 0;          // coordinates, holonomic and other constraint rows
+  std::vector<std::string> parameters; // what is differentiated by, as in "p->mass[2]"
+  Graph graph;
+
+private:
+  void findParameters(const Model &model, const MotionOptions &options);
+
+  Equations equations_;
+  std::unique_ptr<Needs> needs_;
+  std::map<std::string, Results> results_;
+  std::vector<ParameterColumns> columns_;
+};
+
+} // namespace tlgen
+
+#endif
