@@ -83,25 +83,6 @@ std::vector<Node *> nodesOf(const RowUpdate &u) {
 // Where an update runs: the iterations of its loop, or before these.
 const Loop *blockOf(const RowUpdate &u) { return u.before ? u.loop->outer : u.loop; }
 
-<<<<<<< HEAD
-=======
-// Leaves out what changes rows that no result follows from.
-void dropUnused(std::vector<RowUpdate> &updates) {
-  std::set<const Row *> used;
-  size_t before;
-  do {
-    before = used.size();
-    for (const RowUpdate &u : updates) {
-      if (!u.row->result && !used.count(u.row)) continue;
-      used.insert(u.row);
-      for (auto &[direction, factor] : u.sum)
-        if (direction->row) used.insert(direction->row);
-    }
-  } while (used.size() != before);
-  updates.erase(std::remove_if(updates.begin(), updates.end(), [&](const RowUpdate &u) { return !used.count(u.row); }), updates.end());
-}
-
->>>>>>> 6d33d5f ([tlgen] Emit motion functions in two forms, by need and size)
 // Sums of squares and positive numbers, exponentials, and roots, whose own condition is stronger.
 bool isPositive(const Node *n);
 
