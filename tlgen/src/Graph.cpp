@@ -145,25 +145,59 @@ Node *Graph::mergedSum(Node *a, Node *b) {
   return products ? merged(left, right, true) : nullptr;
 }
 
-// cancel: only where terms cancel.
-Node *Graph::merged(std::vector<Scaled> left, const std::vector<Scaled> &right, bool cancel) {
-  bool merged = false;
-  for (const Scaled &term : right) {
-    auto same = std::find_if(left.begin(), left.end(), [&](const Scaled &l) { return l.rest == term.rest; });
-    if (same == left.end()) {
-      left.push_back(term);
-      continue;
+// The sum of all terms, equal ones taken together. cancel: null unless some cancel; otherwise null unless some are equal.
+Node *Graph::merged(const std::vector<Scaled> &left, const std::vector<Scaled> &right, bool cancel) {
+  std::vector<Scaled> all;
+  bool useful = false;
+  for (const std::vector<Scaled> *side : {&left, &right})
+    for (const Scaled &term : *side) {
+      auto same = std::find_if(all.begin(), all.end(), [&](const Scaled &l) { return l.rest == term.rest; });
+      if (same == all.end()) {
+        all.push_back(term);
+        continue;
+      }
+      same->factor += term.factor;
+      useful = useful || !cancel || same->factor == 0;
     }
-    same->factor += term.factor;
-    merged = merged || !cancel || same->factor == 0;
-  }
-  if (!merged) return nullptr;
+  useful = joinSquares(all) || useful;
+  if (!useful) return nullptr;
   Node *sum = number(0);
-  for (const Scaled &term : left) {
+  for (const Scaled &term : all) {
     Node *part = scaledNode(term);
     sum = sum->is(0) ? part : part->is(0) ? sum : plainSum(sum, part);
   }
   return sum;
+}
+
+// a sin(x)^2 + a cos(x)^2 is a. True where there were such terms.
+bool Graph::joinSquares(std::vector<Scaled> &terms) {
+  bool found = false;
+  for (size_t k = 0; k < terms.size(); ++k) {
+    std::vector<Node *> factors;
+    if (terms[k].rest) factorsOf(terms[k].rest, factors);
+    for (size_t i = 0; i + 1 < factors.size(); ++i) {
+      Node *sine = factors[i];
+      if (sine != factors[i + 1] || sine->op != Node::Math || sine->text != "sin") continue;
+      Node *others = number(1), *cosine = math("cos", sine->args);
+      for (size_t j = 0; j < factors.size(); ++j)
+        if (j != i && j != i + 1) others = mul(others, factors[j]);
+      Node *partner = mul(others, mul(cosine, cosine));
+      auto other = std::find_if(terms.begin(), terms.end(),
+                                [&](const Scaled &t) { return t.rest == partner && t.factor == terms[k].factor && t.factor != 0; });
+      if (other == terms.end()) continue;
+      Scaled rest = scaled(others);
+      double factor = terms[k].factor;
+      other->factor = terms[k].factor = 0;
+      auto same = std::find_if(terms.begin(), terms.end(), [&](const Scaled &t) { return t.rest == rest.rest; });
+      if (same != terms.end())
+        same->factor += factor * rest.factor;
+      else
+        terms.push_back({factor * rest.factor, rest.rest});
+      found = true;
+      break;
+    }
+  }
+  return found;
 }
 
 // Terms that are a product with one sum of two among the factors become two terms. False where there are none, or too many.

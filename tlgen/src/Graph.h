@@ -167,17 +167,19 @@ public:
   std::string name;
   // Sets guard and place for the time that it lives.
   struct Making {
-    Making(Graph &graph, const Guard *guard, Loc loc) : graph(graph), guard(graph.guard), loc(graph.loc) {
-      graph.guard = guard;
-      graph.loc = loc;
+    Making(Graph &of, const Guard *under, Loc at) : graph_(of), guard_(of.guard), loc_(of.loc) {
+      graph_.guard = under;
+      graph_.loc = at;
     }
     ~Making() {
-      graph.guard = guard;
-      graph.loc = loc;
+      graph_.guard = guard_;
+      graph_.loc = loc_;
     }
-    Graph &graph;
-    const Guard *guard;
-    Loc loc;
+
+  private:
+    Graph &graph_;
+    const Guard *guard_;
+    Loc loc_;
   };
   const Guard *under(const Guard *outer, Node *condition);    // outer and condition
   static bool covers(const Guard *outer, const Guard *inner); // whether inner holds only where outer does
@@ -201,7 +203,8 @@ private:
   bool terms(Node *n, double factor, std::vector<Scaled> &to);
   Node *scaledNode(const Scaled &s);
   Node *mergedSum(Node *a, Node *b);
-  Node *merged(std::vector<Scaled> left, const std::vector<Scaled> &right, bool cancel);
+  Node *merged(const std::vector<Scaled> &left, const std::vector<Scaled> &right, bool cancel);
+  bool joinSquares(std::vector<Scaled> &terms);
   bool multiplyOut(std::vector<Scaled> &terms);
   Node *plainSum(Node *a, Node *b);
 
