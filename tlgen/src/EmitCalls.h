@@ -11,7 +11,8 @@ struct EmittedModel {
   std::string source, header;
 };
 
-// motion: the model's motion functions, printed beside these. headerName: how the source includes its header. The text depends on nothing but the arguments. Frames without a bound are reported.
+// motion: the model's motion functions, printed beside these. headerName: how the source includes its header. The text depends on
+// nothing but the arguments. Frames without a bound are reported.
 EmittedModel emitCalls(const Program &program, const Model &model, const Activity &activity, const MotionText &motion,
                        Diagnostics &diags, const std::string &headerName);
 

@@ -69,7 +69,8 @@ OutFiles makeModel(const Options &options, const Parsed &parsed, const std::stri
   if (diags.hasErrors()) return {};
 
   std::string header = options.header();
-  MotionText motion = emitAdjoint(program, model, options.motion, diags);
+  Diagnostics motionDiags;
+  MotionText motion = emitAdjoint(program, model, options.motion, motionDiags);
   EmittedModel text = emitCalls(program, model, activity, motion, diags, header.substr(header.find_last_of('/') + 1));
   if (options.report) report += motion.report;
   OutFiles out = {{options.output, text.source}, {header, text.header}};
@@ -79,6 +80,7 @@ OutFiles makeModel(const Options &options, const Parsed &parsed, const std::stri
   bool single = text.source.find("tl_float(") != std::string::npos;
   if (options.selftest)
     for (auto &file : selftestFiles(source, match, options, program, model, single, diags)) out.push_back(std::move(file));
+  if (!diags.hasErrors() || motionDiags.hasErrors()) diags.add(motionDiags); // no notes on what is not written
   return out;
 }
 

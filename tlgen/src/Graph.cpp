@@ -246,8 +246,8 @@ Node *Graph::scaledNode(const Scaled &s) {
   return make(std::move(n));
 }
 
-// Products are kept in one order of their factors, so that those of the same factors are the same and cancel in sums: numbers that do not
-// move first, then functions, inputs, and what was computed.
+// Products are kept in one order of their factors, so that those of the same factors are the same and cancel in sums: numbers that do
+// not move first, then functions, inputs, and what was computed.
 Node *Graph::mul(Node *a, Node *b) {
   Scaled x = scaled(a), y = scaled(b);
   double factor = x.factor * y.factor;
@@ -258,9 +258,8 @@ Node *Graph::mul(Node *a, Node *b) {
   factorsOf(x.rest, factors);
   factorsOf(y.rest, factors);
   if (factors.size() > most) factors = {x.rest, y.rest};
-  std::sort(factors.begin(), factors.end(), [](const Node *l, const Node *r) {
-    return std::make_pair(rank(l), l->id) < std::make_pair(rank(r), r->id);
-  });
+  std::sort(factors.begin(), factors.end(),
+            [](const Node *l, const Node *r) { return std::make_pair(rank(l), l->id) < std::make_pair(rank(r), r->id); });
   Node *product = factors[0];
   for (size_t k = 1; k < factors.size(); ++k) {
     Node n(Node::Mul);

@@ -93,7 +93,8 @@ public:
   Node *coefficient(Node *node, int power);
   const Tangents &tangents(Node *node, int power);
 
-  // An input whose column follows from an iteration number, where columns are explicit; null where there is none. Then results are wrong.
+  // An input whose column follows from an iteration number, where columns are explicit; null where there is none. Then results are
+  // wrong.
   const Node *unsuitable() const { return unsuitable_; }
 
   const std::vector<RowUpdate> &updates() const { return updates_; }

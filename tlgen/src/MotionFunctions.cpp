@@ -331,7 +331,7 @@ std::string MotionFunctions::solve(Body &body) {
   long n = body.values.n, ld = padded(n);
   body.matrix(0, "M", body.memory("M", n * ld), n, ld);
   body.vector(0, "Q", body.memory("Q", n) + "[%]");
-  body.memory("qdd", n), body.memory("dinv", n);
+  body.memory("qdd", n), body.memory("dinv", 2 * padded(n)); // TL_LDL_DIAGONAL(n)
   return body.printChecked(0) + "  const tl_real pivot = tl_ldl_factor_solve(" + str(n) + ", qdd, M, " + str(ld) +
          ", dinv, Q);\n  if (!(pivot > EOM_MOTION_LEAST_PIVOT(" + str(n) + "))) return EOM_MOTION_PIVOT;\n";
 }

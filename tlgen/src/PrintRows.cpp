@@ -45,8 +45,7 @@ std::string RowPrinter::declarations(long offset) const {
     }
   }
   for (auto &[row, p] : places_)
-    if (row->summed)
-      s += "  for (int i = 0; i < " + std::to_string(row->count * p.stride) + "; ++i) " + p.name + "[i] = 0.0;\n";
+    if (row->summed) s += "  for (int i = 0; i < " + std::to_string(row->count * p.stride) + "; ++i) " + p.name + "[i] = 0.0;\n";
   return s;
 }
 
@@ -138,7 +137,8 @@ std::string RowPrinter::ranges(const Updates &updates, int indent) {
   }
   std::string begin = from ? "(" + index(from) + ") / TL_ROW_PAD * TL_ROW_PAD" : "0";
   std::string end = bound ? index(bound) : std::to_string(columns_);
-  if (!first || several || bound || from || columns_ <= shortest) return columnLoop(begin, end, body(updates, nullptr, false, indent + 4), indent);
+  if (!first || several || bound || from || columns_ <= shortest)
+    return columnLoop(begin, end, body(updates, nullptr, false, indent + 4), indent);
   Updates rest;
   for (const RowUpdate &u : updates) {
     RowUpdate beyond = u;

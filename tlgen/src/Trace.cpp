@@ -105,8 +105,7 @@ void Tracer::runBody(const Function *f, const std::vector<Cells> &args) {
   const size_t depth = frames_.size();
   if (depth > maxDepth) unsuitable("calls are nested too deep: what ends them depends on values of run time");
   frames_.back().result = object(depth, f, f->name, f->result);
-  for (size_t i = 0; i < f->params.size(); ++i)
-    store(object(depth, f->params[i], f->params[i]->name, f->params[i]->type), args[i]);
+  for (size_t i = 0; i < f->params.size(); ++i) store(object(depth, f->params[i], f->params[i]->name, f->params[i]->type), args[i]);
   exec(f->body);
   std::vector<State> ends = std::move(frames_.back().returned);
   ends.push_back(std::move(state_));

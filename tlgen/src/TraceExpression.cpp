@@ -41,9 +41,7 @@ bool isAccess(const Expr *e) {
   return e->kind == Expr::Ref || e->kind == Expr::Index || e->kind == Expr::Member || e->kind == Expr::Deref;
 }
 
-bool isComparison(const std::string &op) {
-  return op == "<" || op == ">" || op == "<=" || op == ">=" || op == "==" || op == "!=";
-}
+bool isComparison(const std::string &op) { return op == "<" || op == ">" || op == "<=" || op == ">=" || op == "==" || op == "!="; }
 
 // An unsigned number of 64 bits, negative as a long, stands above all others.
 bool compareIntegers(const std::string &op, long a, long b, bool asUnsigned) {

@@ -355,8 +355,7 @@ State Tracer::merged(const State &a, const State &b) {
       it = result.objects.erase(it); // it lives in one of them only
       continue;
     }
-    if (theirs->second != it->second)
-      it->second = std::make_shared<const Cells>(merged(condition, *it->second, *theirs->second));
+    if (theirs->second != it->second) it->second = std::make_shared<const Cells>(merged(condition, *it->second, *theirs->second));
     ++it;
   }
   return result;

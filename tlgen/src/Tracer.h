@@ -38,12 +38,12 @@ using Cells = std::vector<Cell>;
 
 struct Object {
   enum Kind { Storage, Coordinates, Parameters, Constant } kind = Storage;
-  size_t depth = 0;             // Storage: of the frame that it belongs to
-  std::string text;             // C text, with % for indices; of Storage the name
-  std::vector<Node *> indices;  // in that text
-  const Type *type = nullptr;   // of the object, or of an element
-  bool unbounded = false;       // an array of type, of unknown length
-  Slot::Kind slot = Slot::Q;    // Coordinates
+  size_t depth = 0;                   // Storage: of the frame that it belongs to
+  std::string text;                   // C text, with % for indices; of Storage the name
+  std::vector<Node *> indices;        // in that text
+  const Type *type = nullptr;         // of the object, or of an element
+  bool unbounded = false;             // an array of type, of unknown length
+  Slot::Kind slot = Slot::Q;          // Coordinates
   const Variable *variable = nullptr; // Constant
 };
 

@@ -32,7 +32,7 @@ static double past(const double *q, double t)
 {
   double now = t, before[2], s = 0.0;
   for (int i = 0; i < 3; i++) {
-    if (now > t) s += before[i - 1];
+    if (now > t) s += before[i - 1]; /* notes: adjoint-unsuitable */
     if (i < 2) before[i] = q[i];
     now += 0.5;
   }
