@@ -31,7 +31,7 @@ Results &MotionValues::results(const std::string &need) {
                                        : needs_->parameters(columns_, long(parameters.size()));
   if (const Node *f = needs_->noFormula()) throw Unsuitable{"tlgen has no formula for the derivative of '" + f->text + "'", f->loc};
   for (const auto &jets : made.jets)
-    if (const Node *n = jets->unsuitable()) throw Unsuitable{"which coordinate is read here depends on a loop", n->loc};
+    if (const Node *read = jets->unsuitable()) throw Unsuitable{"which coordinate is read here depends on a loop", read->loc};
   return results_.emplace(need, std::move(made)).first->second;
 }
 

@@ -245,6 +245,8 @@ std::string GraphPrinter::element(const Array *a, const Node *at) {
   if (known == bound_.end()) return arrayName(a) + "[" + index(at) + "]";
   const Binding &b = known->second;
   if (std::count(b.lvalue.begin(), b.lvalue.end(), '%') == 1) return fill(b.lvalue, {show(at).text});
+  Text columns{std::to_string(b.columns), Primary};
+  if (at->op != Node::Affine) return fill(b.lvalue, {binaryText("/", show(at).text, columns), binaryText("%", show(at).text, columns)});
   Node row = *at, column = *at;
   row.offset = at->offset / b.columns, column.offset = at->offset % b.columns;
   for (size_t i = 0; i < at->terms.size(); ++i) {
@@ -507,8 +509,13 @@ std::string GraphPrinter::check(const Check &c, int indent) {
 }
 
 std::string GraphPrinter::clear(const Array *a, int indent) {
-  return blanks(indent) + "for (int i = 0; i < " + std::to_string(a->length) + "; ++i) " +
-         (bound_.count(a) ? fill(bound_.at(a).lvalue, {{"i", Primary}}) : arrayName(a) + "[i]") + " = 0.0;\n";
+  auto known = bound_.find(a);
+  std::string lvalue = known == bound_.end() ? arrayName(a) + "[%]" : known->second.lvalue;
+  bool matrix = std::count(lvalue.begin(), lvalue.end(), '%') == 2;
+  auto loop = [](const std::string &i, long count) { return "for (int " + i + " = 0; " + i + " < " + std::to_string(count) + "; ++" + i + ") "; };
+  long columns = matrix ? known->second.columns : 1;
+  return blanks(indent) + loop("i", a->length / columns) + (matrix ? loop("j", columns) : "") +
+         fill(lvalue, {{"i", Primary}, {"j", Primary}}) + " = 0.0;\n";
 }
 
 // Taylor coefficients of an external function of one argument, by the user's rule, as far as any of its derivatives is needed.
