@@ -1,5 +1,4 @@
 // Objects, the cells behind pointers, and the merging of paths.
-#include "PrintC.h"
 #include "Tracer.h"
 
 #include <algorithm>

@@ -112,16 +112,17 @@ static double function(const std::string &f, const std::vector<double> &x) {
   using F1 = double (*)(double);
   using F2 = double (*)(double, double);
   static const std::map<std::string, F1> one = {
-      {"sin", std::sin},     {"cos", std::cos},     {"tan", std::tan},   {"asin", std::asin},       {"acos", std::acos},
-      {"atan", std::atan},   {"sinh", std::sinh},   {"cosh", std::cosh}, {"tanh", std::tanh},       {"asinh", std::asinh},
-      {"acosh", std::acosh}, {"atanh", std::atanh}, {"exp", std::exp},   {"exp2", std::exp2},       {"expm1", std::expm1},
-      {"log", std::log},     {"log2", std::log2},   {"log10", std::log10}, {"log1p", std::log1p},   {"sqrt", std::sqrt},
-      {"cbrt", std::cbrt},   {"erf", std::erf},     {"erfc", std::erfc}, {"fabs", std::fabs},       {"floor", std::floor},
-      {"ceil", std::ceil},   {"trunc", std::trunc}, {"round", std::round}, {"rint", std::rint},     {"nearbyint", std::nearbyint},
+      {"sin", std::sin},       {"cos", std::cos},       {"tan", std::tan},     {"asin", std::asin},   {"acos", std::acos},
+      {"atan", std::atan},     {"sinh", std::sinh},     {"cosh", std::cosh},   {"tanh", std::tanh},   {"asinh", std::asinh},
+      {"acosh", std::acosh},   {"atanh", std::atanh},   {"exp", std::exp},     {"exp2", std::exp2},   {"expm1", std::expm1},
+      {"log", std::log},       {"log2", std::log2},     {"log10", std::log10}, {"log1p", std::log1p}, {"sqrt", std::sqrt},
+      {"cbrt", std::cbrt},     {"erf", std::erf},       {"erfc", std::erfc},   {"fabs", std::fabs},   {"floor", std::floor},
+      {"ceil", std::ceil},     {"trunc", std::trunc},   {"round", std::round}, {"rint", std::rint},   {"nearbyint", std::nearbyint},
       {"tgamma", std::tgamma}, {"lgamma", std::lgamma}, {"logb", std::logb}};
-  static const std::map<std::string, F2> two = {{"pow", std::pow},           {"hypot", std::hypot}, {"atan2", std::atan2}, {"fmin", std::fmin},
-                                                {"fmax", std::fmax},         {"fdim", std::fdim},   {"fmod", std::fmod},   {"remainder", std::remainder},
-                                                {"copysign", std::copysign}, {"nextafter", std::nextafter}};
+  static const std::map<std::string, F2> two = {
+      {"pow", std::pow},           {"hypot", std::hypot},        {"atan2", std::atan2}, {"fmin", std::fmin},
+      {"fmax", std::fmax},         {"fdim", std::fdim},          {"fmod", std::fmod},   {"remainder", std::remainder},
+      {"copysign", std::copysign}, {"nextafter", std::nextafter}};
   if (one.count(f)) return one.at(f)(x[0]);
   if (two.count(f)) return two.at(f)(x[0], x[1]);
   if (f == "fma") return std::fma(x[0], x[1], x[2]);
@@ -182,7 +183,8 @@ void Evaluator::fill(const Array *array) {
   memory_[array].filled = true;
   for (const Write &w : array->writes) {
     const Loop *outermost = w.loop;
-    while (outermost && outermost->outer && !running_.count(outermost->outer) && outermost->outer != array->home) outermost = outermost->outer;
+    while (outermost && outermost->outer && !running_.count(outermost->outer) && outermost->outer != array->home)
+      outermost = outermost->outer;
     if (outermost) run(outermost);
     if (!w.loop || w.loop == array->home) write(array, w);
   }

@@ -2,8 +2,8 @@
 //
 //   trace_check [--loops] [--params POINTER] [--with SOURCE] COMPILER FOLDER NAME.c.. OPTIONS -- COMPILER-ARGUMENTS
 //
-// OPTIONS and what follows are those of tlgen. POINTER is a C expression for the parameters that the sources define; the integer members
-// of their struct are taken as known sizes. SOURCE holds external functions. FOLDER takes what is compiled.
+// OPTIONS and what follows are those of tlgen. POINTER is a C expression for the parameters that the sources define; the integer
+// members of their struct are taken as known sizes. SOURCE holds external functions. FOLDER takes what is compiled.
 #include "Evaluator.h"
 #include "Frontend.h"
 #include "Lower.h"
@@ -52,14 +52,13 @@ public:
     if (!library_) throw std::runtime_error(dlerror());
   }
 
-  template <class F> F *function(const std::string &name) const {
-    return reinterpret_cast<F *>(dlsym(library_, name.c_str()));
-  }
+  template <class F> F *function(const std::string &name) const { return reinterpret_cast<F *>(dlsym(library_, name.c_str())); }
 
   // The pointer to the parameters under the name that slots know it by.
   std::string parameters() const {
     if (!model_.params) return "";
-    return "const " + model_.params->spelling + " *" + TRACE_PARAMS + " = (const void *)(" + args_.params + ");\n(void)" + TRACE_PARAMS + ";\n";
+    return "const " + model_.params->spelling + " *" + TRACE_PARAMS + " = (const void *)(" + args_.params + ");\n(void)" +
+           TRACE_PARAMS + ";\n";
   }
 
 private:
@@ -91,7 +90,11 @@ std::string callText(const ModelFunction &f, size_t k, const std::string &parame
   std::string call = f.function->name + "(";
   for (size_t i = 0; i < f.args.size(); ++i) {
     const Arg &arg = f.args[i];
-    std::string text = arg.role == ArgRole::Q ? "q" : arg.role == ArgRole::Qd ? "qd" : arg.role == ArgRole::T ? "t" : arg.role == ArgRole::Out ? "out" : TRACE_PARAMS;
+    std::string text = arg.role == ArgRole::Q     ? "q"
+                       : arg.role == ArgRole::Qd  ? "qd"
+                       : arg.role == ArgRole::T   ? "t"
+                       : arg.role == ArgRole::Out ? "out"
+                                                  : TRACE_PARAMS;
     if (arg.index >= 0) text += "[" + std::to_string(arg.index) + "]";
     call += (i ? ", " : "") + text;
   }
@@ -107,7 +110,8 @@ std::string slotText(const Slot &slot, size_t k, const std::string &parameters) 
     text.replace(at, 1, "i[" + std::to_string(i) + "]");
   }
   const Variable *v = slot.variable;
-  if (v && v->isStatic && v->scope == Variable::Local) table = "static " + declaration(v->type, v->name) + " = " + initializer(v->init) + ";\n";
+  if (v && v->isStatic && v->scope == Variable::Local)
+    table = "static " + declaration(v->type, v->name) + " = " + initializer(v->init) + ";\n";
   return "double slot_" + number(k) + "(const long *i) {\n" + parameters + table + "return (double)" + text + ";\n}\n";
 }
 
@@ -117,7 +121,8 @@ std::string externalText(const Rule &rule) {
     args += (i ? ", x[" : "x[") + number(i) + "]";
     types += i ? ", double" : "double";
   }
-  return "double external_" + rule.function + "(const double *x) {\ndouble " + rule.function + "(" + types + ");\nreturn " + rule.function + "(" + args + ");\n}\n";
+  return "double external_" + rule.function + "(const double *x) {\ndouble " + rule.function + "(" + types + ");\nreturn " +
+         rule.function + "(" + args + ");\n}\n";
 }
 
 // What the nodes behind these read.
@@ -130,7 +135,8 @@ void collect(const Array *a, std::set<const Node *> &seen, std::vector<const Slo
 }
 void collect(const Node *n, std::set<const Node *> &seen, std::vector<const Slot *> &slots) {
   if (!n || !seen.insert(n).second) return;
-  if (n->slot && n->slot->kind == Slot::Member && std::find(slots.begin(), slots.end(), n->slot) == slots.end()) slots.push_back(n->slot);
+  if (n->slot && n->slot->kind == Slot::Member && std::find(slots.begin(), slots.end(), n->slot) == slots.end())
+    slots.push_back(n->slot);
   for (const Node *arg : n->args) collect(arg, seen, slots);
   if (n->array) collect(n->array, seen, slots);
   if (!n->of) return;
@@ -187,9 +193,11 @@ int compare(const Arguments &args, const Program &program, const Model &model, c
       Evaluator evaluator(input, external);
       actual = c.traced.rows ? evaluator.rows(c.traced.rows) : std::vector<double>{evaluator.value(c.traced.value)};
       for (size_t i = 0; i < rows; ++i) {
-        bool same = std::fabs(actual[i] - expected[i]) <= VALUE_RTOL * (1 + std::fabs(expected[i])) || (std::isnan(actual[i]) && std::isnan(expected[i])) || actual[i] == expected[i];
+        bool same = std::fabs(actual[i] - expected[i]) <= VALUE_RTOL * (1 + std::fabs(expected[i])) ||
+                    (std::isnan(actual[i]) && std::isnan(expected[i])) || actual[i] == expected[i];
         if (same || ++faults > 10) continue;
-        std::fprintf(stderr, "%s, point %d: row %zu is %.17g, expected %.17g\n", c.function->function->name.c_str(), point, i, actual[i], expected[i]);
+        std::fprintf(stderr, "%s, point %d: row %zu is %.17g, expected %.17g\n", c.function->function->name.c_str(), point, i,
+                     actual[i], expected[i]);
       }
     }
   }
