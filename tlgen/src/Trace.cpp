@@ -11,7 +11,19 @@ const char *const TRACE_PARAMS = "p";
 Traced trace(Graph &graph, const Program &program, const Model &model, const ModelFunction &function, const TraceOptions &options) {
   const Guard *guard = graph.guard;
   graph.guard = nullptr;
-  Traced result = symbols::Tracer(graph, program, model, options).run(function);
+  auto run = [&](const TraceOptions &o) { return symbols::Tracer(graph, program, model, o).run(function); };
+  Traced result;
+  if (!options.keepLoops) {
+    result = run(options);
+  } else {
+    try {
+      result = run(options);
+    } catch (const Unsuitable &) { // what a kept loop leaves may be less than is needed
+      TraceOptions unrolled = options;
+      unrolled.keepLoops = false;
+      result = run(unrolled);
+    }
+  }
   graph.guard = guard;
   return result;
 }
@@ -23,6 +35,8 @@ Traced Tracer::run(const ModelFunction &f) {
   take(nullptr);
   at(f.function->loc);
   frames_.assign(1, {});
+  auto dof = options_.sizes.find(model_.dof.member);
+  dof_ = model_.dof.member.empty() ? model_.dof.value : dof != options_.sizes.end() ? dof->second : -1;
   std::vector<Cells> args;
   int out = Pointer::null;
   for (size_t i = 0; i < f.args.size(); ++i) {
@@ -89,9 +103,21 @@ Node *Tracer::resultCell(int object, size_t i) {
   return c.node;
 }
 
+// The array whose elements the cells are, in order; null where there is none.
+static Array *wholeArray(const Cells &cells) {
+  Array *array = cells.empty() || cells[0].kind != Cell::Number ? nullptr : cells[0].node->array;
+  if (!array || array->length != long(cells.size())) return nullptr;
+  for (size_t i = 0; i < cells.size(); ++i) {
+    const Node *n = cells[i].kind == Cell::Number ? cells[i].node : nullptr;
+    if (!n || n->op != Node::Read || n->array != array || !n->args[0]->isConstant() || n->args[0]->offset != long(i)) return nullptr;
+  }
+  return array;
+}
+
 // The results as an array.
 Array *Tracer::rows(int object, const std::string &name) {
   const size_t length = state_.objects.at(object)->size();
+  if (Array *whole = wholeArray(*state_.objects.at(object))) return whole;
   Array *array = graph_.array(name, long(length));
   for (size_t i = 0; i < length; ++i) graph_.write(array, nullptr, graph_.integer(long(i)), resultCell(object, i));
   return array;
@@ -174,13 +200,14 @@ void Tracer::execBlock(const Stmt *s) {
 void Tracer::endScope(const Stmt *block) {
   for (const Stmt *part : block->body)
     if (part && part->kind == Stmt::Declare && !part->var->isStatic)
-      state_.objects.erase(object(frames_.size(), part->var, part->var->name, part->var->type));
+      free(object(frames_.size(), part->var, part->var->name, part->var->type));
 }
 
 void Tracer::declare(const Variable *v, const Expr *init) {
   if (v->isStatic) return;
   Cells cells = init ? fill(v->type, init) : Cells(size_t(leaves(v->type)));
-  store(object(frames_.size(), v, v->name, v->type), std::move(cells));
+  if (cells.size() == 1 && cells[0].kind == Cell::Number && cells[0].node->name.empty()) cells[0].node->name = v->name;
+  define(object(frames_.size(), v, v->name, v->type), std::move(cells));
 }
 
 void Tracer::execIf(const Stmt *s) {

@@ -12,6 +12,7 @@ namespace tlgen {
 struct TraceOptions {
   std::map<std::string, long> sizes; // integer members of the parameter struct with known values
   bool keepLoops = false;
+  long minTrips = 4;       // shorter loops are unrolled
   size_t maxNodes = 60000; // of one function
 };
 

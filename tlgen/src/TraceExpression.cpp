@@ -70,6 +70,11 @@ bool computeIntegers(const std::string &op, long x, long y, const Type *type, lo
   return result = wrapped(static_cast<long>(r), type), true;
 }
 
+// An iteration number of a loop whose end is not found yet is in it.
+bool isOpen(const Node *n) {
+  return n->op == Node::Affine && std::any_of(n->terms.begin(), n->terms.end(), [](const auto &t) { return !t.first->trips; });
+}
+
 } // namespace
 
 // How many numbers and pointers an object of the type holds.
@@ -202,7 +207,7 @@ Node *Tracer::convert(Node *n, const Type *from, const Type *to) {
   if (n->isConstant()) return graph_.integer(wrapped(n->offset, to));
   Range all = rangeOf(to);
   bool wraps = isUnsigned(to) && bitsOf(to) == 64 && !isUnsigned(from) && bounds(n).lo < 0;
-  bool fits = !wraps && (inside(bounds(n), all) || inside(rangeOf(from), all));
+  bool fits = isOpen(n) || (!wraps && (inside(bounds(n), all) || inside(rangeOf(from), all)));
   return fits ? n : graph_.convert(to->name, n);
 }
 
@@ -214,15 +219,36 @@ Node *Tracer::rounded(Node *n) {
 
 // The smallest range that is known of an integer.
 Range Tracer::bounds(const Node *n) {
+  if (n->op == Node::Affine || n->loop) return boundsOf(n); // what is known of loops grows
   auto known = bounds_.find(n);
   if (known != bounds_.end()) return known->second;
   return bounds_[n] = boundsOf(n);
 }
 
+// The largest or smallest value over all iterations, loop by loop from the innermost.
+long Tracer::extreme(const Node *n, bool largest) {
+  while (!n->terms.empty()) {
+    auto inner = n->terms.begin();
+    for (auto term = n->terms.begin(); term != n->terms.end(); ++term)
+      if (term->first->within(inner->first)) inner = term;
+    auto [loop, factor] = *inner;
+    Node *number = graph_.integer(0);
+    if ((factor > 0) == largest) {
+      if (!loop->trips || loop->trips->op != Node::Affine) return largest ? LONG_MAX : LONG_MIN;
+      number = graph_.integerOp("-", loop->trips, graph_.integer(1));
+    }
+    auto rest = n->terms;
+    rest.erase(rest.begin() + (inner - n->terms.begin()));
+    Node *others = graph_.affine(n->offset, std::move(rest));
+    n = graph_.integerOp("+", others, graph_.integerOp("*", graph_.integer(factor), number));
+  }
+  return n->offset;
+}
+
 Range Tracer::boundsOf(const Node *n) {
   switch (n->op) {
   case Node::Affine:
-    return n->terms.empty() ? Range::of(n->offset) : Range{};
+    return {extreme(n, false), extreme(n, true)};
   case Node::Compare:
   case Node::Not:
   case Node::And:
@@ -287,7 +313,7 @@ Node *Tracer::integerArithmetic(const std::string &op, Node *a, Node *b, const T
   if ((op == "+" && is(a, 0)) || (op == "*" && is(a, 1))) return b;
   if ((op == "*" || op == "&") && (is(a, 0) || is(b, 0))) return graph_.integer(0);
   Node *result = graph_.integerOp(op, a, b);
-  bool fits = !isUnsigned(type) || (bounds(result).lo >= 0 && inside(bounds(result), rangeOf(type)));
+  bool fits = !isUnsigned(type) || isOpen(result) || (bounds(result).lo >= 0 && inside(bounds(result), rangeOf(type)));
   return fits ? result : graph_.convert(type->name, result);
 }
 
@@ -299,8 +325,25 @@ Node *Tracer::compare(const std::string &op, Node *a, Node *b, const Type *type)
   if (a->isConstant() && (op == "==" || op == "!=")) std::swap(a, b);
   bool decides = b->isConstant() && (b->offset == 0 || b->offset == 1) && (op == "==" || op == "!=");
   if (isTruth(a) && decides) return (op == "!=") == (b->offset == 0) ? a : graph_.logicalNot(a);
-  Range known = comparison(op, bounds(a), bounds(b));
-  return known.exact() ? graph_.integer(known.lo) : graph_.compare(op, a, b);
+  const bool moving = a->op == Node::Affine && b->op == Node::Affine;
+  Range known = moving ? comparison(op, bounds(graph_.integerOp("-", a, b)), Range::of(0)) : comparison(op, bounds(a), bounds(b));
+  if (known.exact()) return graph_.integer(known.lo);
+  if (moving) splitAt(op, graph_.integerOp("-", a, b));
+  return graph_.compare(op, a, b);
+}
+
+// A comparison of iteration numbers that is not decided: the loop is split where its result changes.
+void Tracer::splitAt(const std::string &op, Node *difference) {
+  if (isOpen(difference)) return; // decided in the next pass
+  if (difference->terms.size() > 1) {
+    if (op == "==" || op == "!=") return; // a choice of run time
+    irregular("a condition compares the numbers of several loops");
+  }
+  auto [loop, factor] = difference->terms[0];
+  Range numbers = bounds(loop->index);
+  auto holds = [&, f = factor](long k) { return compareIntegers(op, difference->offset + f * k, 0, false); };
+  for (long k = 1; k <= numbers.hi; ++k)
+    if (holds(k) != holds(0)) throw Split{loop, k};
 }
 
 // Pointers
@@ -411,6 +454,7 @@ Cells Tracer::assign(const Expr *e) {
     bool raw = e->wholesale && isAccess(right);
     Cells cells = raw ? read(place(right), std::max(1L, leaves(right->type)), right->type) : eval(right);
     at(e->loc);
+    name(left, cells);
     write(place(left), cells);
     return cells;
   }
@@ -428,8 +472,16 @@ Cells Tracer::assign(const Expr *e) {
     Node *value = arithmetic(op, convert(old.node, left->type, type), by.node, type);
     result.node = convert(value, type, left->type);
   }
+  name(left, {result});
   write(p, {result});
   return {result};
+}
+
+// A number is called like the first variable or member that holds it.
+void Tracer::name(const Expr *left, const Cells &cells) {
+  if (cells.size() != 1 || cells[0].kind != Cell::Number || !cells[0].node->name.empty()) return;
+  while (left->kind != Expr::Ref && left->kind != Expr::Member && !left->args.empty()) left = left->args[0];
+  cells[0].node->name = left->kind == Expr::Ref ? left->var->name : left->text;
 }
 
 Cells Tracer::step(const Expr *e) {
@@ -559,7 +611,7 @@ PointerRef Tracer::place(const Expr *e) {
   default: { // a temporary, or a compound literal
     Cells cells = eval(e);
     int id = object(frames_.size(), e, "a temporary", e->type);
-    store(id, std::move(cells));
+    define(id, std::move(cells));
     return to(id);
   }
   }

@@ -44,8 +44,8 @@ int Tracer::constant(const Variable *v) {
 
 // Frees what belongs to frames from depth on.
 void Tracer::dropObjects(size_t depth) {
-  for (auto it = state_.objects.begin(); it != state_.objects.end();)
-    it = objects_[size_t(it->first)].depth >= depth ? state_.objects.erase(it) : std::next(it);
+  for (size_t id = 0; id < objects_.size(); ++id)
+    if (objects_[id].depth >= depth) free(int(id));
 }
 
 // Pointers
@@ -127,9 +127,18 @@ void Tracer::writeWhere(Node *condition, const Pointer &p, const Cells &cells) {
   if (p.object == Pointer::null) return;
   auto found = state_.objects.find(p.object);
   if (found == state_.objects.end()) unsuitable("something that is not a local variable is written");
+  Node *begin = offset(p);
+  if (begin->op == Node::Affine && !begin->isConstant()) {
+    for (size_t i = 0; i < cells.size(); ++i) {
+      Node *at = graph_.integerOp("+", begin, graph_.integer(long(i)));
+      setElement(p.object, at, condition->isConstant() ? cells[i] : merged(condition, cells[i], element(p.object, at)));
+    }
+    return;
+  }
   Cells all = *found->second;
   for (auto &[here, at] : candidates(p, long(all.size()), long(cells.size())))
     for (size_t i = 0; i < cells.size(); ++i) {
+      checkConcrete(p.object, at + long(i));
       Cell &cell = all[size_t(at) + i];
       cell = merged(graph_.logicalAnd(condition, here), cells[i], cell);
     }
@@ -166,9 +175,15 @@ std::vector<std::pair<Node *, long>> Tracer::candidates(const Pointer &p, long l
 Cells Tracer::readStored(const Pointer &p, long size) {
   auto found = state_.objects.find(p.object);
   if (found == state_.objects.end()) return Cells(size_t(size), Cell{Cell::Lost, nullptr, nullptr});
-  const Cells &all = *found->second;
   Cells result;
+  Node *begin = offset(p);
+  if (begin->op == Node::Affine && !begin->isConstant()) {
+    for (long i = 0; i < size; ++i) result.push_back(element(p.object, graph_.integerOp("+", begin, graph_.integer(i))));
+    return result;
+  }
+  const Cells all = *found->second;
   for (auto &[here, at] : candidates(p, long(all.size()), size)) {
+    for (long i = 0; i < size; ++i) checkConcrete(p.object, at + i);
     Cells part(all.begin() + at, all.begin() + at + size);
     result = result.empty() ? part : merged(here, part, result);
   }
@@ -181,6 +196,11 @@ Cells Tracer::readInput(const Pointer &p, long size) {
   auto values = constants_.find(p.object);
   if (values != constants_.end()) { // a number of the table, or one of the pointers in it
     const Cells &all = values->second;
+    Node *number = offset(p);
+    if (number->op == Node::Affine && !number->isConstant() && (size > 1 || all[0].kind != Cell::Number)) {
+      for (long i = 0; i < size; ++i) result.push_back(uniform(all, graph_.integerOp("+", number, graph_.integer(i)), p.object));
+      return result;
+    }
     auto at = candidates(p, long(all.size()), size);
     bool isNumber = all[size_t(at[0].second)].kind == Cell::Number;
     if (at.size() > 1 && isNumber && size == 1) return {inputLeaf(o, p)};
@@ -203,7 +223,9 @@ Cell Tracer::inputLeaf(const Object &o, const Pointer &p) {
   if (o.kind == Object::Coordinates) {
     Slot s;
     s.kind = o.slot;
-    return {Cell::Number, graph_.leaf(graph_.slot(s), {offset(p)}), nullptr};
+    Node *number = offset(p);
+    checkIndex(number, dof_);
+    return {Cell::Number, graph_.leaf(graph_.slot(s), {number}), nullptr};
   }
   LeafText leaf = leafText(o, p);
   if (leaf.type->kind != Type::Pointer) return {Cell::Number, memberLeaf(leaf, o), nullptr};
@@ -226,24 +248,30 @@ Tracer::LeafText Tracer::leafText(const Object &o, const Pointer &p) {
   LeafText leaf{o.text, o.indices, o.type, 1};
   long fixed = p.fixed;
   std::map<long, Node *> indices = p.indices;
-  auto takeIndex = [&](long stride, long count) {
+  auto takeIndex = [&](long stride, long count, long bound) {
     long whole = fixed / stride - (fixed % stride < 0);
     fixed -= whole * stride;
     Node *index = graph_.integer(whole);
-    auto own = indices.find(stride);
-    if (own != indices.end()) {
-      index = graph_.integerOp("+", own->second, index);
-      indices.erase(own);
+    for (auto own = indices.begin(); own != indices.end();) {
+      if (own->first % stride) {
+        ++own;
+        continue;
+      }
+      Node *term = graph_.integerOp("*", graph_.integer(own->first / stride), own->second);
+      index = index->isConstant() && !index->offset ? term : graph_.integerOp("+", term, index);
+      own = indices.erase(own);
     }
+    if (bound >= 0) checkIndex(index, bound);
     leaf.text += "[%]";
     leaf.indices.push_back(index);
     leaf.length *= count;
   };
-  if (o.unbounded) takeIndex(leaves(leaf.type), 0);
+  if (o.unbounded) takeIndex(leaves(leaf.type), 0, -1);
   for (bool first = !o.unbounded; leaf.type->kind == Type::Array || leaf.type->kind == Type::Struct; first = false) {
     if (leaf.type->kind == Type::Array) {
+      long count = leaf.type->count;
       leaf.type = leaf.type->element;
-      takeIndex(leaves(leaf.type), 1);
+      takeIndex(leaves(leaf.type), count, count);
       continue;
     }
     const Field *field = nullptr;
@@ -351,6 +379,7 @@ State Tracer::merged(const State &a, const State &b) {
   for (auto it = result.objects.begin(); it != result.objects.end();) {
     auto theirs = b.objects.find(it->first);
     if (theirs == b.objects.end() || theirs->second->size() != it->second->size()) {
+      result.elements.erase(it->first);
       it = result.objects.erase(it); // it lives in one of them only
       continue;
     }

@@ -36,6 +36,17 @@ struct Cell {
 };
 using Cells = std::vector<Cell>;
 
+// Inside of kept loops, an element of an object whose offset depends on their iteration numbers, or, over a loop that is done, one per
+// iteration of that; the cell may depend on its number too.
+struct Element {
+  Node *at;         // Affine: leaves behind the begin
+  const Loop *over; // null: one element
+  size_t level;     // how many kept loops were around when it was written
+  Cell cell;
+  const Array *array; // that the cell reads; null: none
+};
+using Elements = std::vector<Element>;
+
 struct Object {
   enum Kind { Storage, Coordinates, Parameters, Constant } kind = Storage;
   size_t depth = 0;                   // Storage: of the frame that it belongs to
@@ -59,7 +70,39 @@ struct State {
   bool live = false;
   const Path *path = nullptr;
   std::map<int, std::shared_ptr<const Cells>> objects;
+  std::map<int, Elements> elements; // newer ones last
 };
+
+// What is to be known of a cell that a kept loop changes, or of an element whose offset does not depend on the loop.
+struct Mark {
+  enum Kind {
+    Steps,   // an integer or pointer that moves by a constant
+    Carried, // a real
+    Lost     // something else, which an iteration writes before it reads it
+  } kind;
+  Cell before, start; // before the loop, and as an iteration begins
+  long step;          // leaves, of a pointer
+  Node *carried;
+};
+
+// A loop that is being kept: what one iteration finds and leaves, found out in several passes.
+struct Kept {
+  Loop *loop = nullptr;
+  State before;
+  std::map<std::pair<int, long>, Mark> cells;                    // by object and cell
+  std::map<std::pair<int, Node *>, Mark> elements;               // by object and offset
+  std::map<int, std::vector<Node *>> written;                    // offsets of elements that depend on the loop, by object
+  std::map<std::pair<int, Node *>, std::vector<Node *>> earlier; // what was written there 1, 2.. iterations before
+};
+
+// Thrown where a comparison of a loop's iteration number with a constant changes its result at that number.
+struct Split {
+  const Loop *loop;
+  long at;
+};
+
+bool isInteger(const Node *n);
+long factorOf(const Node *n, const Loop *loop); // of the loop's iteration number
 
 class Tracer {
 public:
@@ -102,10 +145,27 @@ private:
   void runBody(const Function *f, const std::vector<Cells> &args);
   void dropObjects(size_t depth);
 
-  // TraceLoop.cpp
+  // TraceLoop.cpp: loops
   void execLoop(const Stmt *s);
-  void unroll(const Stmt *s);
+  void runLoop(const Stmt *s);
+  bool unroll(const Stmt *s, long limit);
   void round(const Stmt *s);
+  bool keep(const Stmt *s, long limit);
+  void passes(const Stmt *s, Kept &mine);
+  void start(Kept &mine);
+  void iterate(const Stmt *s, Kept &mine);
+  void condition(const Stmt *s, Kept &mine);
+  Node *tripsOf(Node *condition, const Loop *loop);
+  bool settle(Kept &mine, const State &begin);
+  bool settle(Kept &mine, Mark &mark, const Cell &now);
+  Mark classify(Kept &mine, const Cell &start, const Cell &now);
+  bool settleElements(Kept &mine);
+  void finish(const Stmt *s, Kept &mine);
+  Cell after(const Mark &mark, const Loop *loop);
+  void checkOverlaps(const Kept &mine);
+  void leave(int object, const Element &e, Loop *loop);
+  Element tape(int object, const Element &e, Loop *loop);
+  void spread(int object, const Element &e, Loop *loop);
   [[noreturn]] void endless(const Stmt *s, Node *condition);
 
   // TraceExpression.cpp: the values of expressions
@@ -117,11 +177,14 @@ private:
   Node *truth(const Cell &c, const Type *type);
   Cells load(const Expr *e);
   Cell literal(const Expr *e);
+  void name(const Expr *left, const Cells &cells);
   Cells castOf(const Expr *e);
   Node *convert(Node *n, const Type *from, const Type *to);
   Node *rounded(Node *n);
   Range bounds(const Node *n);
   Range boundsOf(const Node *n);
+  long extreme(const Node *n, bool largest);
+  void splitAt(const std::string &op, Node *difference);
   Node *unary(const Expr *e);
   Cell binary(const Expr *e);
   Node *arithmetic(const std::string &op, Node *a, Node *b, const Type *type);
@@ -159,6 +222,22 @@ private:
   void write(const PointerRef &p, const Cells &cells);
   void writeWhere(Node *condition, const Pointer &p, const Cells &cells);
   Cells readStored(const Pointer &p, long size);
+
+  // TraceElement.cpp: elements whose offsets depend on iteration numbers
+  Cell element(int object, Node *at);
+  void setElement(int object, Node *at, const Cell &cell);
+  Cell writtenBefore(int object, Node *at, Node *written, Kept &loop, bool &found);
+  Cell uniform(const Cells &cells, Node *at, int object);
+  Node *uniform(const std::vector<Node *> &nodes, Node *number);
+  Array *snapshot(const std::vector<Node *> &nodes, const std::string &name);
+  Cell substituted(const Cell &c, const Loop *loop, Node *number);
+  Elements mergedElements(Node *condition, const State &yes, const State &no, int object);
+  bool mayMeet(Node *a, Node *b);
+  bool apart(Node *a, Node *b);
+  void checkConcrete(int object, long at);
+  void checkIndex(Node *index, long length);
+  [[noreturn]] void irregular(const std::string &why) const { unsuitable(why); }
+
   Cells readInput(const Pointer &p, long size);
   Cell inputLeaf(const Object &o, const Pointer &p);
   struct LeafText {
@@ -170,6 +249,14 @@ private:
   LeafText leafText(const Object &o, const Pointer &p);
   Node *memberLeaf(const LeafText &leaf, const Object &o);
   std::vector<std::pair<Node *, long>> candidates(const Pointer &p, long length, long size);
+  void define(int id, Cells cells) { // a new object
+    state_.elements.erase(id);
+    store(id, std::move(cells));
+  }
+  void free(int id) {
+    state_.elements.erase(id);
+    state_.objects.erase(id);
+  }
   void store(int id, Cells cells) { state_.objects[id] = std::make_shared<const Cells>(std::move(cells)); }
   Cell merged(Node *condition, const Cell &yes, const Cell &no);
   Cells merged(Node *condition, const Cells &yes, const Cells &no);
@@ -187,6 +274,7 @@ private:
 
   static const long maxSteps = 4000000; // a few seconds
   static const int maxForks = 64;       // iterations that may end by a value of run time
+  static const int maxPasses = 12;
   static const size_t maxDepth = 400;
   static const long maxLeaves = 1 << 20;
 
@@ -205,6 +293,9 @@ private:
   std::unordered_map<const Node *, bool> varied_;
   std::unordered_map<const Node *, Range> bounds_;
   State state_;
+  long dof_ = -1;            // -1: not known
+  std::vector<Kept *> kept_; // outermost first
+  std::map<std::vector<Node *>, Array *> snapshots_;
   long steps_ = 0;
 };
 

@@ -220,6 +220,7 @@ int check(const Arguments &args) {
   TraceOptions options;
   options.sizes = sizesOf(args, program, model);
   options.keepLoops = args.loops;
+  options.minTrips = 2;
   Graph graph;
   std::vector<Case> cases;
   bool refused = false;
