@@ -116,6 +116,8 @@ bool Needs::separate(const std::vector<JetOutput> &outputs, long count, std::vec
 void Needs::emit(std::vector<JetOutput> &outputs, const Parts &parts, long count, Target target, bool upper) {
   std::vector<JetOutput> mine;
   for (const Part &part : parts) {
+    bool outside = part.index->isConstant() && (part.index->offset < 0 || part.index->offset >= count);
+    if (outside) continue; // behind a condition that never holds
     JetOutput *same = nullptr;
     for (JetOutput &output : mine)
       if (output.loop == part.loop && output.index == part.index) same = &output;
