@@ -8,16 +8,26 @@ MotionValues::MotionValues(const Program &program, const Model &model, const Mot
   TraceOptions how;
   how.sizes = options.sizes;
   how.keepLoops = rows;
-  n = equations_.n = model.dof.member.empty() ? model.dof.value : options.sizes.at(model.dof.member);
+  Equations equations;
+  equations.n = model.dof.member.empty() ? model.dof.value : options.sizes.at(model.dof.member);
   for (const ModelFunction &f : model.functions) {
     Traced traced = trace(graph, program, model, f, how);
-    if (f.role == Role::Lagrangian) equations_.lagrangian = traced.value;
-    if (f.role == Role::Force) equations_.force = traced.rows;
-    if (f.role == Role::Holonomic) equations_.holonomic.push_back(traced.rows), m1 += traced.rows->length;
-    if (f.role == Role::Nonholonomic) equations_.nonholonomic.push_back(traced.rows), m2 += traced.rows->length;
+    if (f.role == Role::Lagrangian) equations.lagrangian = traced.value;
+    if (f.role == Role::Force) equations.force = traced.rows;
+    if (f.role == Role::Holonomic) equations.holonomic.push_back(traced.rows);
+    if (f.role == Role::Nonholonomic) equations.nonholonomic.push_back(traced.rows);
   }
   findParameters(model, options);
-  needs_ = std::make_unique<Needs>(graph, equations_, !rows);
+  setEquations(std::move(equations));
+}
+
+MotionValues::MotionValues(std::function<Equations(Graph &)> make, bool inRows) : rows(inRows) { setEquations(make(graph)); }
+
+void MotionValues::setEquations(Equations equations) {
+  n = equations.n;
+  for (const Array *function : equations.holonomic) m1 += function->length;
+  for (const Array *function : equations.nonholonomic) m2 += function->length;
+  needs_ = std::make_unique<Needs>(graph, std::move(equations), !rows);
 }
 
 Results &MotionValues::results(const std::string &need) {

@@ -12,6 +12,8 @@ class MotionValues {
 public:
   // rows: loops are kept and tangents are rows in memory; otherwise all is straight-line. Throws Unsuitable.
   MotionValues(const Program &program, const Model &model, const MotionOptions &options, bool rows);
+  // Of functions that are there as values.
+  MotionValues(std::function<Equations(Graph &)> make, bool rows);
 
   // Of a need, computed once. Throws Unsuitable.
   Results &results(const std::string &need);
@@ -22,9 +24,9 @@ public:
   Graph graph;
 
 private:
+  void setEquations(Equations equations);
   void findParameters(const Model &model, const MotionOptions &options);
 
-  Equations equations_;
   std::unique_ptr<Needs> needs_;
   std::map<std::string, Results> results_;
   std::vector<ParameterColumns> columns_;
