@@ -46,7 +46,7 @@ Traced Tracer::run(const ModelFunction &f) {
   runBody(f.function, args);
   Traced result;
   if (!state_.live) unsuitable("the function never returns");
-  int values = f.function->result->kind == Type::Void ? out : frames_.back().result;
+  int values = out != Pointer::null ? out : frames_.back().result; // what is returned beside results is a status
   if (f.role == Role::Lagrangian)
     result.value = resultCell(values, 0);
   else
