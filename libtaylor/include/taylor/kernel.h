@@ -42,11 +42,11 @@
 #define TL_UNROLL
 #endif
 
-/* Before a loop whose iterations do not touch each other's memory. */
+/* Before a loop whose iterations do not touch each other's memory: becomes vectors, and is not taken apart into scalars before. */
 #if defined(__clang__)
-#define TL_INDEPENDENT _Pragma("clang loop vectorize(assume_safety)")
+#define TL_INDEPENDENT _Pragma("clang loop vectorize(assume_safety) unroll(disable)")
 #elif defined(__GNUC__)
-#define TL_INDEPENDENT _Pragma("GCC ivdep")
+#define TL_INDEPENDENT _Pragma("GCC ivdep") _Pragma("GCC unroll 1")
 #else
 #define TL_INDEPENDENT
 #endif
