@@ -45,6 +45,7 @@ Traced Tracer::run(const ModelFunction &f) {
   }
   runBody(f.function, args);
   Traced result;
+  result.unrolled = unrolled_;
   if (!state_.live) unsuitable("the function never returns");
   int values = out != Pointer::null ? out : frames_.back().result; // what is returned beside results is a status
   if (f.role == Role::Lagrangian)

@@ -23,8 +23,9 @@ struct Unsuitable {
 };
 
 struct Traced {
-  Node *value = nullptr; // of a Lagrangian
-  Array *rows = nullptr; // of the others: element i is row i; rows of a force that are never written are 0
+  Node *value = nullptr;            // of a Lagrangian
+  Array *rows = nullptr;            // of the others: element i is row i; rows of a force that are never written are 0
+  std::vector<Unsuitable> unrolled; // with keepLoops: which loops were not kept, and why
 };
 
 // What the parameter struct is called in the texts of slots.

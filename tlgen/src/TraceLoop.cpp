@@ -47,13 +47,26 @@ void Tracer::runLoop(const Stmt *s) {
       } catch (const Split &split) {
         limit = split.at;
         regular = limit >= options_.minTrips;
-      } catch (const Unsuitable &) {
+      } catch (const Unsuitable &u) {
+        unrolls(s, u.why);
         regular = false;
         limit = -1;
       }
     }
     if (!regular) more = unroll(s, limit);
   }
+}
+
+// Remembers why a loop was not kept; the last reason counts.
+void Tracer::unrolls(const Stmt *loop, const std::string &why) {
+  auto same = [&](const Unsuitable &u) {
+    return u.loc.file == loop->loc.file && u.loc.line == loop->loc.line && u.loc.column == loop->loc.column;
+  };
+  auto known = std::find_if(unrolled_.begin(), unrolled_.end(), same);
+  if (known == unrolled_.end())
+    unrolled_.push_back({why, loop->loc});
+  else
+    known->why = why;
 }
 
 // Iteration after iteration, at most limit of them (-1: all); false at the loop's end. Where that depends on values of run time, all
@@ -109,7 +122,8 @@ bool Tracer::keep(const Stmt *s, long limit) {
   kept_.push_back(&mine);
   try {
     passes(s, mine);
-    finish(s, mine);
+    finish(mine);
+    if (limit < 0 && s->kind != Stmt::DoWhile && hasEffects(s->expr)) truth(s->expr); // it fails, and the loop ends
   } catch (...) {
     kept_.resize(depth);
     frames_ = frames;
@@ -132,6 +146,7 @@ void Tracer::passes(const Stmt *s, Kept &mine) {
     iterate(s, mine);
     bool settled = settle(mine, begin);
     if (settled && !open) return checkOverlaps(mine);
+    if (settled && !mine.loop->trips) irregular("the loop's condition does not end it");
   }
   irregular("what the loop changes is not found out");
 }
@@ -169,6 +184,7 @@ void Tracer::condition(const Stmt *s, Kept &mine) {
   if (!s->expr) irregular("the loop has no condition");
   Node *holds = truth(s->expr);
   if (mine.loop->trips) return;
+  if (holds->isConstant() && holds->offset) return; // what moves is not known yet
   Node *trips = tripsOf(holds, mine.loop);
   if (s->kind == Stmt::DoWhile) trips = graph_.integerOp("+", trips, graph_.integer(1));
   if (trips->isConstant() && trips->offset < options_.minTrips) irregular("the loop is short");
@@ -202,20 +218,28 @@ Node *Tracer::tripsOf(Node *condition, const Loop *loop) {
 // What an iteration changed, beside what is known already; true where nothing is new.
 bool Tracer::settle(Kept &mine, const State &begin) {
   bool settled = true;
+  for (auto it = mine.cells.begin(); it != mine.cells.end();) {
+    auto now = state_.objects.find(it->first.first);
+    const Cell *cell = now == state_.objects.end() ? nullptr : &now->second->at(size_t(it->first.second));
+    if (!cell || cell->same(it->second.start)) { // an iteration with other numbers changed it, this one does not
+      it = mine.cells.erase(it);
+      settled = false;
+      continue;
+    }
+    settled = settle(mine, it->second, *cell) && settled;
+    ++it;
+  }
   for (auto &[object, first] : begin.objects) {
     auto now = state_.objects.find(object);
     if (now == state_.objects.end() || now->second == first) continue;
     if (now->second->size() != first->size()) irregular("an array of variable length changes in the loop");
     for (size_t i = 0; i < first->size(); ++i) {
-      auto known = mine.cells.find({object, long(i)});
-      if (known != mine.cells.end())
-        settled = settle(mine, known->second, (*now->second)[i]) && settled;
-      else if (!(*now->second)[i].same((*first)[i])) {
-        Mark mark = classify(mine, (*first)[i], (*now->second)[i]);
-        if (mark.kind == Mark::Steps && mark.step == 0 && mark.start.kind == Cell::Address) continue; // the same pointer again
-        mine.cells[{object, long(i)}] = mark;
-        settled = false;
-      }
+      const Cell &before = (*first)[i], &after = (*now->second)[i];
+      if (after.same(before) || mine.cells.count({object, long(i)})) continue;
+      Mark mark = classify(mine, before, after);
+      if (mark.kind == Mark::Steps && mark.step == 0) continue; // the same pointer again
+      mine.cells[{object, long(i)}] = mark;
+      settled = false;
     }
   }
   return settleElements(mine) && settled;
@@ -279,7 +303,8 @@ Mark Tracer::classify(Kept &mine, const Cell &start, const Cell &now) {
 bool Tracer::settleElements(Kept &mine) {
   bool settled = true;
   std::map<int, std::vector<Node *>> written;
-  for (auto &[object, elements] : state_.elements) {
+  const std::map<int, Elements> all = state_.elements;
+  for (auto &[object, elements] : all) {
     if (!mine.before.objects.count(object)) continue;
     for (const Element &e : elements) {
       if (e.level != kept_.size()) continue;
@@ -309,7 +334,6 @@ bool Tracer::settleElements(Kept &mine) {
       state_ = std::move(now);
       mine.elements[{object, e.at}] = classify(mine, before, e.cell);
       settled = false;
-      break; // the list may have changed
     }
   }
   settled = settled && written == mine.written;
@@ -334,7 +358,7 @@ void Tracer::checkOverlaps(const Kept &mine) {
 }
 
 // The state behind the loop.
-void Tracer::finish(const Stmt *s, Kept &mine) {
+void Tracer::finish(Kept &mine) {
   Loop *loop = mine.loop;
   const State end = state_;
   for (auto &[place, chain] : mine.earlier) {
@@ -360,7 +384,6 @@ void Tracer::finish(const Stmt *s, Kept &mine) {
     for (const Element &e : elements)
       if (e.level == kept_.size() + 1 && factorOf(e.at, loop)) leave(object, e, loop);
   }
-  if (s->kind != Stmt::DoWhile && hasEffects(s->expr)) truth(s->expr); // which ends the loop
 }
 
 Cell Tracer::after(const Mark &mark, const Loop *loop) {

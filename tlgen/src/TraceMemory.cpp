@@ -383,6 +383,9 @@ State Tracer::merged(const State &a, const State &b) {
       it = result.objects.erase(it); // it lives in one of them only
       continue;
     }
+    result.elements.erase(it->first);
+    Elements both = mergedElements(condition, a, b, it->first);
+    if (!both.empty()) result.elements[it->first] = std::move(both);
     if (theirs->second != it->second) it->second = std::make_shared<const Cells>(merged(condition, *it->second, *theirs->second));
     ++it;
   }

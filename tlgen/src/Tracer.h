@@ -160,7 +160,7 @@ private:
   bool settle(Kept &mine, Mark &mark, const Cell &now);
   Mark classify(Kept &mine, const Cell &start, const Cell &now);
   bool settleElements(Kept &mine);
-  void finish(const Stmt *s, Kept &mine);
+  void finish(Kept &mine);
   Cell after(const Mark &mark, const Loop *loop);
   void checkOverlaps(const Kept &mine);
   void leave(int object, const Element &e, Loop *loop);
@@ -271,6 +271,7 @@ private:
   [[noreturn]] void unsuitable(const std::string &why) const { throw Unsuitable{why, graph_.loc}; }
   void at(const Loc &loc) { graph_.loc = loc; }
   void checkSize();
+  void unrolls(const Stmt *loop, const std::string &why);
 
   static const long maxSteps = 4000000; // a few seconds
   static const int maxForks = 64;       // iterations that may end by a value of run time
@@ -296,6 +297,7 @@ private:
   long dof_ = -1;            // -1: not known
   std::vector<Kept *> kept_; // outermost first
   std::map<std::vector<Node *>, Array *> snapshots_;
+  std::vector<Unsuitable> unrolled_; // loops that were not kept
   long steps_ = 0;
 };
 

@@ -9,14 +9,16 @@ void Evaluator::reach(const Node *n) {
   if (!n || !reached_.insert(n).second) return;
   for (const Node *arg : n->args) reach(arg);
   if (n->array) reach(n->array);
-  for (auto &term : n->terms) loops_.insert(term.first);
-  if (!n->of || !loops_.insert(n->of).second) return;
-  for (const Loop *l = n->of; l; l = l->outer) {
-    loops_.insert(l);
-    reach(l->trips);
-    reach(l->condition);
-  }
-  for (const Carry &c : n->of->carried) {
+  for (auto &term : n->terms) reach(term.first);
+  if (n->of) reach(n->of);
+}
+
+void Evaluator::reach(const Loop *loop) {
+  if (!loop || !loops_.insert(loop).second) return;
+  reach(loop->outer);
+  reach(loop->trips);
+  reach(loop->condition);
+  for (const Carry &c : loop->carried) {
     reach(c.init);
     reach(c.out);
     reach(c.in);
@@ -26,7 +28,7 @@ void Evaluator::reach(const Node *n) {
 void Evaluator::reach(const Array *array) {
   if (!arrays_.insert(array).second) return;
   for (const Write &w : array->writes) {
-    for (const Loop *l = w.loop; l; l = l->outer) loops_.insert(l), reach(l->trips);
+    reach(w.loop);
     reach(w.index);
     reach(w.value);
   }
@@ -172,9 +174,9 @@ Value Evaluator::operation(const Node *n) {
 Value Evaluator::element(const Array *array, long index) {
   Memory &m = memory_[array];
   bool inside = false;
-  for (const Write &w : array->writes) inside |= w.loop && running_.count(w.loop);
+  for (const Write &w : array->writes) inside |= w.loop && w.loop != array->home && running_.count(w.loop);
   if (!m.filled && !inside) fill(array);
-  if (index < 0 || index >= array->length || !m.written.at(size_t(index)))
+  if (index < 0 || index >= array->length || m.written.empty() || !m.written[size_t(index)])
     throw std::runtime_error("element " + std::to_string(index) + " of " + array->name + " is read and not written");
   return m.elements[size_t(index)];
 }

@@ -35,6 +35,7 @@ private:
   };
   void reach(const tlgen::Node *n);
   void reach(const tlgen::Array *array);
+  void reach(const tlgen::Loop *loop);
   Value of(const tlgen::Node *n);
   Value compute(const tlgen::Node *n);
   Value operation(const tlgen::Node *n);

@@ -230,6 +230,8 @@ int check(const Arguments &args) {
       Traced traced = trace(graph, program, model, f, options);
       cases.push_back({&f, traced, graph.size() - nodes, graph.loops().size() - loops});
       std::printf("%s: %zu nodes, %zu loops\n", f.function->name.c_str(), cases.back().nodes, cases.back().loops);
+      for (const Unsuitable &u : traced.unrolled)
+        std::printf("%s:%u: unrolled: %s\n", program.files[size_t(u.loc.file)].c_str(), u.loc.line, u.why.c_str());
     } catch (const Unsuitable &u) {
       std::string file = u.loc.file >= 0 ? program.files[size_t(u.loc.file)] : "";
       std::printf("%s:%u:%u: %s: %s\n", file.c_str(), u.loc.line, u.loc.column, f.function->name.c_str(), u.why.c_str());
