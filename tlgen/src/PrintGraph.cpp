@@ -512,7 +512,9 @@ std::string GraphPrinter::clear(const Array *a, int indent) {
   auto known = bound_.find(a);
   std::string lvalue = known == bound_.end() ? arrayName(a) + "[%]" : known->second.lvalue;
   bool matrix = std::count(lvalue.begin(), lvalue.end(), '%') == 2;
-  auto loop = [](const std::string &i, long count) { return "for (int " + i + " = 0; " + i + " < " + std::to_string(count) + "; ++" + i + ") "; };
+  auto loop = [](const std::string &i, long count) {
+    return "for (int " + i + " = 0; " + i + " < " + std::to_string(count) + "; ++" + i + ") ";
+  };
   long columns = matrix ? known->second.columns : 1;
   return blanks(indent) + loop("i", a->length / columns) + (matrix ? loop("j", columns) : "") +
          fill(lvalue, {{"i", Primary}, {"j", Primary}}) + " = 0.0;\n";

@@ -98,7 +98,7 @@ std::string callText(const ModelFunction &f, size_t k, const std::string &parame
     if (arg.index >= 0) text += "[" + std::to_string(arg.index) + "]";
     call += (i ? ", " : "") + text;
   }
-  std::string result = f.function->result->kind == Type::Void ? "" : "out[0] = ";
+  std::string result = f.function->result->kind == Type::Real ? "out[0] = " : "";
   return "void call_" + number(k) + "(double *out, double *q, double *qd, double t) {\n" + parameters + result + call + ");\n}\n";
 }
 
