@@ -70,12 +70,12 @@ bool computeIntegers(const std::string &op, long x, long y, const Type *type, lo
   return result = wrapped(static_cast<long>(r), type), true;
 }
 
+} // namespace
+
 // An iteration number of a loop whose end is not found yet is in it.
-bool isOpen(const Node *n) {
+static bool isOpen(const Node *n) {
   return n->op == Node::Affine && std::any_of(n->terms.begin(), n->terms.end(), [](const auto &t) { return !t.first->trips; });
 }
-
-} // namespace
 
 // How many numbers and pointers an object of the type holds.
 long Tracer::leaves(const Type *type) {
@@ -207,7 +207,7 @@ Node *Tracer::convert(Node *n, const Type *from, const Type *to) {
   if (n->isConstant()) return graph_.integer(wrapped(n->offset, to));
   Range all = rangeOf(to);
   bool wraps = isUnsigned(to) && bitsOf(to) == 64 && !isUnsigned(from) && bounds(n).lo < 0;
-  bool fits = isOpen(n) || (!wraps && (inside(bounds(n), all) || inside(rangeOf(from), all)));
+  bool fits = symbols::isOpen(n) || (!wraps && (inside(bounds(n), all) || inside(rangeOf(from), all)));
   return fits ? n : graph_.convert(to->name, n);
 }
 
@@ -313,7 +313,7 @@ Node *Tracer::integerArithmetic(const std::string &op, Node *a, Node *b, const T
   if ((op == "+" && is(a, 0)) || (op == "*" && is(a, 1))) return b;
   if ((op == "*" || op == "&") && (is(a, 0) || is(b, 0))) return graph_.integer(0);
   Node *result = graph_.integerOp(op, a, b);
-  bool fits = !isUnsigned(type) || isOpen(result) || (bounds(result).lo >= 0 && inside(bounds(result), rangeOf(type)));
+  bool fits = !isUnsigned(type) || symbols::isOpen(result) || (bounds(result).lo >= 0 && inside(bounds(result), rangeOf(type)));
   return fits ? result : graph_.convert(type->name, result);
 }
 
@@ -334,16 +334,18 @@ Node *Tracer::compare(const std::string &op, Node *a, Node *b, const Type *type)
 
 // A comparison of iteration numbers that is not decided: the loop is split where its result changes.
 void Tracer::splitAt(const std::string &op, Node *difference) {
-  if (isOpen(difference)) return; // decided in the next pass
+  if (symbols::isOpen(difference) || !splits_) return; // decided in the next pass
   if (difference->terms.size() > 1) {
     if (op == "==" || op == "!=") return; // a choice of run time
     irregular("a condition compares the numbers of several loops");
   }
   auto [loop, factor] = difference->terms[0];
+  size_t level = 0;
+  while (level < kept_.size() && kept_[level]->loop != loop) ++level;
   Range numbers = bounds(loop->index);
   auto holds = [&, f = factor](long k) { return compareIntegers(op, difference->offset + f * k, 0, false); };
   for (long k = 1; k <= numbers.hi; ++k)
-    if (holds(k) != holds(0)) throw Split{loop, k};
+    if (holds(k) != holds(0)) throw Split{level, k};
 }
 
 // Pointers

@@ -45,6 +45,7 @@ void Tracer::runLoop(const Stmt *s) {
         more = keep(s, limit);
         break;
       } catch (const Split &split) {
+        if (split.level != kept_.size()) throw; // of a loop around
         limit = split.at;
         regular = limit >= options_.minTrips;
       } catch (const Unsuitable &u) {
@@ -125,6 +126,7 @@ bool Tracer::keep(const Stmt *s, long limit) {
     finish(mine);
     if (limit < 0 && s->kind != Stmt::DoWhile && hasEffects(s->expr)) truth(s->expr); // it fails, and the loop ends
   } catch (...) {
+    splits_ = true;
     kept_.resize(depth);
     frames_ = frames;
     take(mine.before);
@@ -179,12 +181,19 @@ void Tracer::iterate(const Stmt *s, Kept &mine) {
   if (jumps() != before || !state_.live || state_.path != path) irregular("something may leave the loop");
 }
 
-// The loop's condition, which holds in each iteration; the first time it says how many there are.
+// The loop's condition, which holds in each iteration; as soon as it moves it says how many there are.
 void Tracer::condition(const Stmt *s, Kept &mine) {
   if (!s->expr) irregular("the loop has no condition");
+  const bool open = !mine.loop->trips;
+  splits_ = !open; // it may fail at once for some numbers of loops around
   Node *holds = truth(s->expr);
-  if (mine.loop->trips) return;
-  if (holds->isConstant() && holds->offset) return; // what moves is not known yet
+  splits_ = true;
+  if (!open) return;
+  if (holds->isConstant() && !holds->offset) irregular("the loop is short");
+  Node *test = holds->op == Node::Not ? holds->args[0] : holds;
+  bool still =
+      std::all_of(test->args.begin(), test->args.end(), [&](Node *n) { return n->op == Node::Affine && !factorOf(n, mine.loop); });
+  if (still && (test->op == Node::Compare || test->isConstant())) return; // what moves is found out by this pass
   Node *trips = tripsOf(holds, mine.loop);
   if (s->kind == Stmt::DoWhile) trips = graph_.integerOp("+", trips, graph_.integer(1));
   if (trips->isConstant() && trips->offset < options_.minTrips) irregular("the loop is short");

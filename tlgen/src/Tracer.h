@@ -97,7 +97,7 @@ struct Kept {
 
 // Thrown where a comparison of a loop's iteration number with a constant changes its result at that number.
 struct Split {
-  const Loop *loop;
+  size_t level; // of the loop: how many kept loops are around it
   long at;
 };
 
@@ -235,6 +235,7 @@ private:
   bool mayMeet(Node *a, Node *b);
   bool apart(Node *a, Node *b);
   void checkConcrete(int object, long at);
+  bool isOpen() const;
   void checkIndex(Node *index, long length);
   [[noreturn]] void irregular(const std::string &why) const { unsuitable(why); }
 
@@ -297,6 +298,7 @@ private:
   long dof_ = -1;            // -1: not known
   std::vector<Kept *> kept_; // outermost first
   std::map<std::vector<Node *>, Array *> snapshots_;
+  bool splits_ = true;               // comparisons may split loops
   std::vector<Unsuitable> unrolled_; // loops that were not kept
   long steps_ = 0;
 };

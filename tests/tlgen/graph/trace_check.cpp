@@ -1,9 +1,10 @@
 // Runs the graph that Trace makes of each function of a model beside the compiled C, at random points.
 //
-//   trace_check [--loops] [--params POINTER] [--with SOURCE] COMPILER FOLDER NAME.c.. OPTIONS -- COMPILER-ARGUMENTS
+//   trace_check [--refused] [--loops] [--params POINTER] [--with SOURCE] COMPILER FOLDER NAME.c.. OPTIONS -- COMPILER-ARGUMENTS
 //
 // OPTIONS and what follows are those of tlgen. POINTER is a C expression for the parameters that the sources define; the integer
-// members of their struct are taken as known sizes. SOURCE holds external functions. FOLDER takes what is compiled.
+// members of their struct are taken as known sizes. --refused: one of the functions at least has no graph. SOURCE holds external
+// functions. FOLDER takes what is compiled.
 #include "Evaluator.h"
 #include "Frontend.h"
 #include "Lower.h"
@@ -25,10 +26,9 @@ namespace {
 // Rounding of some hundreds of operations in another grouping, relative to the largest number that may cancel.
 const double VALUE_RTOL = 1e-12;
 const int POINTS = 40;
-const int UNSUITABLE = 77; // the exit status where Trace refuses a function
 
 struct Arguments {
-  bool loops = false;
+  bool loops = false, refused = false;
   std::string params = "0", with, compiler, folder;
   Options options;
 };
@@ -240,7 +240,8 @@ int check(const Arguments &args) {
   }
   long n = model.dof.member.empty() ? model.dof.value : options.sizes[model.dof.member];
   int status = compare(args, program, model, cases, n);
-  return status ? status : refused ? UNSUITABLE : 0;
+  if (refused != args.refused) std::fprintf(stderr, refused ? "a function has no graph\n" : "all functions have graphs\n");
+  return status || refused != args.refused;
 }
 
 } // namespace
@@ -252,6 +253,7 @@ int main(int argc, char **argv) {
   for (; i < argc && argv[i][0] == '-'; ++i) {
     std::string option = argv[i];
     if (option == "--loops") args.loops = true;
+    if (option == "--refused") args.refused = true;
     if (option == "--params") args.params = argv[++i];
     if (option == "--with") args.with = argv[++i];
   }
