@@ -54,7 +54,7 @@ Node *Jets::computeValue(Node *node) {
     return graph_.final(in->of, in->which);
   }
   case Node::Read:
-    return graph_.read(stored(node->array).c[0], value(node->args[0]));
+    return graph_.read(stored_.at(node->array).c[0], value(node->args[0]));
   default:
     break;
   }
@@ -79,7 +79,7 @@ Node *Jets::computeHigher(Node *node, int power) {
     return in->op == Node::Carried ? graph_.final(in->of, in->which) : in;
   }
   case Node::Read: {
-    Array *array = stored(node->array).c[power];
+    Array *array = stored_.at(node->array).c[power];
     return array ? graph_.read(array, value(args[0])) : sum;
   }
   case Node::Add:
@@ -199,7 +199,7 @@ Tangents Jets::finalTangents(Node *node, int power) {
 
 Tangents Jets::readTangents(Node *node, int power) {
   Tangents sum;
-  const Stored &stored = this->stored(node->array);
+  const Stored &stored = stored_.at(node->array);
   Node *index = value(node->args[0]);
   auto here = [&](Node *ofIteration) {
     if (!ofIteration || !stored.loop) return ofIteration;

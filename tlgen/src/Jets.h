@@ -120,7 +120,6 @@ private:
     Node *bound[POWERS] = {};                                // of rows and views, as a function of iteration
     Array *wide[POWERS] = {};                                // explicit columns of arrays that are written in several places
     Loop *loop = nullptr;                                    // the loop that the functions of iteration refer to
-    bool rootDone = false;                                   // what is written outside of loops
   };
 
   const Direction *direction(Direction d);
@@ -138,8 +137,8 @@ private:
   Node *wideIndex(Node *index, long column);
 
   void runRegion(Loop *loop);
-  void storeBefore(const Loop *loop);
-  Stored &stored(Array *array);
+  void storeBefore(Loop *loop, const Loop *inner);
+  void storeWrites(Array *array, Loop *loop);
   void runLoop(Loop *loop);
   bool tryLoop(Loop *loop, std::vector<Present> &present);
   bool note(Present &present, Node *value, int power);
@@ -151,7 +150,6 @@ private:
   Tangents keepUpdated(Loop *loop, size_t k, int power, Tangents sum);
   void finishLoop(Loop *loop, size_t firstUpdate);
   void finishOutput(const JetOutput &output);
-  void finishWrites(Loop *loop);
   void finishWrite(Array *array, const Write &write);
   Array *newArray(const Array *like, long length);
   void storeTangents(Stored &stored, Array *array, const Write &write, int power);
@@ -172,6 +170,7 @@ private:
   std::map<std::pair<const Loop *, std::pair<size_t, int>>, Row *> carriedRows_; // of new loops
   std::map<Node *, std::pair<Loop *, size_t>> outOf_;                            // end values of the loops under way -> carried
   std::map<const Array *, Stored> stored_;
+  std::set<std::pair<const Array *, size_t>> written_; // writes that are in stored_
   std::map<std::string, Direction *> directions_;
   std::deque<Direction> allDirections_;
   std::deque<Row> rows_;

@@ -67,28 +67,28 @@ void Jets::dropUnused() {
 
 void Jets::runRegion(Loop *loop) {
   for (const Step &step : needed_->steps(loop)) {
-    if (!step.loop) {
+    if (step.loop) {
+      storeBefore(loop, step.loop);
+      runLoop(step.loop);
+    } else {
+      if (step.node->op == Node::Read) storeWrites(step.node->array, loop);
       value(step.node);
-      continue;
     }
-    if (!loop) storeBefore(step.loop);
-    runLoop(step.loop);
   }
 }
 
-// What the loop reads that was written outside of all loops.
-void Jets::storeBefore(const Loop *loop) {
+// What the inner loop reads that this loop's iterations, or what is outside of all loops, have written.
+void Jets::storeBefore(Loop *loop, const Loop *inner) {
   for (const Node *node : needed_->nodes())
-    if (node->op == Node::Read && node->loop && node->loop->within(loop)) stored(node->array);
+    if (node->op == Node::Read && node->loop && node->loop->within(inner)) storeWrites(node->array, loop);
 }
 
-Jets::Stored &Jets::stored(Array *array) {
-  Stored &stored = stored_[array];
-  if (stored.rootDone) return stored;
-  stored.rootDone = true;
-  for (const Write &write : std::vector<Write>(array->writes))
-    if (!write.loop) finishWrite(array, write);
-  return stored_[array];
+// The writes of one loop's iterations (null: outside of all) to an array, once.
+void Jets::storeWrites(Array *array, Loop *loop) {
+  for (size_t k = 0; k < array->writes.size(); ++k) {
+    const Write write = array->writes[k];
+    if (write.loop == loop && written_.insert({array, k}).second) finishWrite(array, write);
+  }
 }
 
 // The loop anew. A coefficient of a carried value is there where it is not zero at first or after an iteration: taken for absent until
@@ -102,11 +102,13 @@ void Jets::runLoop(Loop *loop) {
   std::vector<size_t> writes;
   for (const Array &array : graph_.arrays()) writes.push_back(array.writes.size());
   auto stored = stored_;
+  auto written = written_;
   size_t updates = updates_.size();
   while (!tryLoop(loop, present)) {
     size_t k = 0;
     for (const Array &array : graph_.arrays()) const_cast<Array &>(array).writes.resize(k < writes.size() ? writes[k] : 0), ++k;
     stored_ = stored;
+    written_ = written;
     updates_.resize(updates);
   }
 }
@@ -155,7 +157,8 @@ bool Jets::tryLoop(Loop *loop, std::vector<Present> &present) {
 }
 
 void Jets::finishLoop(Loop *loop, size_t firstUpdate) {
-  if (loop) finishWrites(loop);
+  for (const Array &array : graph_.arrays())
+    if (loop && needed_->has(&array)) storeWrites(const_cast<Array *>(&array), loop);
   for (const JetOutput &output : *outputs_)
     if (output.loop == loop) finishOutput(output);
   if (loop) boundUpdates(clones_.at(loop), firstUpdate);
@@ -230,13 +233,6 @@ void Jets::finishCarried(Loop *loop, size_t k) {
       if (!out.count(own)) updates_.push_back({clones_.at(loop), own->row, nullptr, false, false, nullptr, nullptr, out});
     }
   }
-}
-
-void Jets::finishWrites(Loop *loop) {
-  for (const Array &array : graph_.arrays())
-    if (needed_->has(&array))
-      for (const Write &write : std::vector<Write>(array.writes))
-        if (write.loop == loop) finishWrite(const_cast<Array *>(&array), write);
 }
 
 void Jets::finishWrite(Array *array, const Write &write) {
