@@ -73,15 +73,15 @@ void Tracer::checkConcrete(int object, long at) {
   }
 }
 
-// Whether the end of a loop around is not found yet: what is not known now is known in its next pass.
-bool Tracer::isOpen() const {
-  return std::any_of(kept_.begin(), kept_.end(), [](const Kept *k) { return !k->loop->trips; });
+// Whether it is not found out yet where a loop around ends and what it writes: a later pass looks again.
+bool Tracer::isTentative() const {
+  return std::any_of(kept_.begin(), kept_.end(), [](const Kept *k) { return k->pass < surveyed || !k->loop->trips; });
 }
 
 void Tracer::checkIndex(Node *index, long length) {
   if (index->op != Node::Affine || index->isConstant() || length < 0) return;
   Range r = bounds(index);
-  if (!isOpen() && (r.lo < 0 || r.hi >= length)) irregular("an index leaves its array for some numbers of the loops");
+  if (!isTentative() && (r.lo < 0 || r.hi >= length)) irregular("an index leaves its array for some numbers of the loops");
 }
 
 Cell Tracer::substituted(const Cell &c, const Loop *loop, Node *number) {
@@ -209,9 +209,12 @@ Elements Tracer::mergedElements(Node *condition, const State &yes, const State &
 // The cell at an offset that runs over several, where they are all made alike.
 Cell Tracer::uniform(const Cells &cells, Node *at, int object) {
   Range r = bounds(at);
-  const bool inside = r.lo >= 0 && r.hi < long(cells.size());
-  if (!inside && isOpen()) return cells[size_t(std::min(std::max(r.lo, 0L), long(cells.size()) - 1))];
-  if (!inside) irregular("an index leaves its array for some numbers of the loops");
+  const long last = long(cells.size()) - 1;
+  if (isTentative()) { // of the first number
+    const Cell &any = cells[size_t(std::min(std::max(r.lo, 0L), last))];
+    return any.kind == Cell::Lost ? Cell{} : any;
+  }
+  if (r.lo < 0 || r.hi > last) irregular("an index leaves its array for some numbers of the loops");
   const long step = divisor(at);
   std::vector<Node *> nodes;
   const Cell &first = cells[size_t(r.lo)];

@@ -140,15 +140,14 @@ bool Tracer::keep(const Stmt *s, long limit) {
 
 void Tracer::passes(const Stmt *s, Kept &mine) {
   const std::deque<Frame> frames = frames_;
-  for (int pass = 0; pass < maxPasses; ++pass) {
+  for (mine.pass = 0; mine.pass < maxPasses; ++mine.pass) {
     frames_ = frames;
-    const bool open = !mine.loop->trips;
     start(mine);
     const State begin = state_;
     iterate(s, mine);
     bool settled = settle(mine, begin);
-    if (settled && !open) return checkOverlaps(mine);
-    if (settled && !mine.loop->trips) irregular("the loop's condition does not end it");
+    if (settled && mine.pass >= surveyed) return checkOverlaps(mine);
+    if (mine.pass >= surveyed && !mine.loop->trips) irregular("the loop's condition does not end it");
   }
   irregular("what the loop changes is not found out");
 }

@@ -88,6 +88,7 @@ struct Mark {
 // A loop that is being kept: what one iteration finds and leaves, found out in several passes.
 struct Kept {
   Loop *loop = nullptr;
+  int pass = 0;
   State before;
   std::map<std::pair<int, long>, Mark> cells;                    // by object and cell
   std::map<std::pair<int, Node *>, Mark> elements;               // by object and offset
@@ -235,7 +236,7 @@ private:
   bool mayMeet(Node *a, Node *b);
   bool apart(Node *a, Node *b);
   void checkConcrete(int object, long at);
-  bool isOpen() const;
+  bool isTentative() const;
   void checkIndex(Node *index, long length);
   [[noreturn]] void irregular(const std::string &why) const { unsuitable(why); }
 
@@ -276,7 +277,8 @@ private:
 
   static const long maxSteps = 4000000; // a few seconds
   static const int maxForks = 64;       // iterations that may end by a value of run time
-  static const int maxPasses = 12;
+  static const int maxPasses = 12;      // over a kept loop
+  static const int surveyed = 2;        // passes: the first finds what moves, the second what is written at moving places
   static const size_t maxDepth = 400;
   static const long maxLeaves = 1 << 20;
 
