@@ -211,7 +211,29 @@ void Tracer::declare(const Variable *v, const Expr *init) {
   define(object(frames_.size(), v, v->name, v->type), std::move(cells));
 }
 
+// The jumps of this call that wait for the place where they go.
+size_t Tracer::pending() const {
+  const Frame &frame = frames_.back();
+  size_t n = frame.returned.size();
+  for (auto &label : frame.gotos) n += label.second.size();
+  for (const Jumps &around : frame.jumps) n += around.breaks.size() + around.continues.size();
+  return n;
+}
+
 void Tracer::execIf(const Stmt *s) {
+  if (s->expr->kind == Expr::Binary && hasEffects(s->expr)) {
+    const Path *before = state_.path;
+    const size_t jumps = pending();
+    State yes, no;
+    decide(s->expr, yes, no);
+    take(yes);
+    exec(s->then);
+    State after = std::move(state_);
+    take(no);
+    exec(s->otherwise);
+    take(mergeAll({after, state_}));
+    return pending() == jumps ? take(before) : void();
+  }
   Node *condition = truth(s->expr);
   if (condition->isConstant()) return exec(condition->offset ? s->then : s->otherwise);
   branch(condition, [&] { exec(s->then); }, [&] { exec(s->otherwise); });

@@ -14,6 +14,7 @@ struct TraceOptions {
   bool keepLoops = false;
   long minTrips = 4;       // shorter loops are unrolled
   size_t maxNodes = 60000; // of one function
+  size_t maxChoices = 500; // of run time in it
 };
 
 // What no graph can be made of: the reason as a sentence for the user, and the place. Thrown by trace().

@@ -418,9 +418,32 @@ Node *Tracer::isNull(const Pointer &p) {
 
 // Choices
 
+// The states in which a condition holds and in which not. Of && and || each operand is decided by itself, so that what the second one
+// changes is known where it was reached.
+void Tracer::decide(const Expr *condition, State &yes, State &no) {
+  const bool isAnd = condition->kind == Expr::Binary && condition->text == "&&";
+  if (isAnd || (condition->kind == Expr::Binary && condition->text == "||")) {
+    State first, settled, held, failed;
+    decide(condition->args[0], isAnd ? first : settled, isAnd ? settled : first);
+    take(first);
+    if (state_.live) decide(condition->args[1], held, failed);
+    yes = isAnd ? held : mergeAll({settled, held});
+    no = isAnd ? mergeAll({settled, failed}) : failed;
+    return;
+  }
+  Node *holds = truth(condition);
+  yes = no = state_;
+  yes.live = !holds->isConstant() || holds->offset;
+  no.live = !holds->isConstant() || !holds->offset;
+  if (holds->isConstant()) return;
+  yes.path = under(holds);
+  no.path = under(graph_.logicalNot(holds));
+}
+
 // Runs both ways of a condition of run time, and merges what they leave behind.
 void Tracer::branch(Node *condition, const std::function<void()> &yes, const std::function<void()> &no) {
-  const Path *first = under(condition), *second = under(graph_.logicalNot(condition));
+  const Path *before = state_.path, *first = under(condition), *second = under(graph_.logicalNot(condition));
+  const size_t jumps = pending();
   State other = state_;
   take(first);
   yes();
@@ -429,6 +452,7 @@ void Tracer::branch(Node *condition, const std::function<void()> &yes, const std
   take(std::move(other));
   no();
   take(mergeAll({after, state_}));
+  if (pending() == jumps) take(before); // nothing went elsewhere
 }
 
 // The second operand is reached where the first does not settle it.

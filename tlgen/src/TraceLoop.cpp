@@ -10,15 +10,13 @@
 #include <algorithm>
 
 namespace tlgen::symbols {
-namespace {
+namespace {} // namespace
 
 bool hasEffects(const Expr *e) {
   if (!e) return false;
   if (e->kind == Expr::Assign || e->kind == Expr::Step || e->kind == Expr::Call) return true;
   return std::any_of(e->args.begin(), e->args.end(), hasEffects);
 }
-
-} // namespace
 
 void Tracer::execLoop(const Stmt *s) {
   const bool declares = s->init && s->init->kind == Stmt::Block;
@@ -27,11 +25,14 @@ void Tracer::execLoop(const Stmt *s) {
   } else {
     exec(s->init);
   }
+  const Path *before = state_.path;
+  const size_t jumps = pending();
   frames_.back().jumps.push_back({});
   runLoop(s);
   std::vector<State> ends = std::move(frames_.back().jumps.back().breaks);
   frames_.back().jumps.pop_back();
   take(mergeAll(ends));
+  if (state_.live && pending() == jumps) take(before); // whatever way it took
   if (declares) endScope(s->init);
 }
 
@@ -77,18 +78,13 @@ bool Tracer::unroll(const Stmt *s, long limit) {
   bool tested = s->kind != Stmt::DoWhile;
   for (long n = 0; state_.live; tested = true, ++n) {
     if (n == limit && tested == (s->kind != Stmt::DoWhile)) return true;
-    Node *holds = tested && s->expr ? truth(s->expr) : graph_.integer(1);
-    std::vector<State> &ends = frames_.back().jumps.back().breaks;
-    if (!holds->isConstant()) {
-      if (++forks > maxForks) endless(s, holds);
-      const Path *on = under(holds);
-      ends.push_back(state_);
-      ends.back().path = under(graph_.logicalNot(holds));
-      take(on);
-    } else if (!holds->offset) {
-      ends.push_back(state_);
-      state_.live = false;
-      return false;
+    if (tested && s->expr) {
+      State yes, no;
+      decide(s->expr, yes, no);
+      if (yes.live && no.live && ++forks > maxForks) endless(s, yes.path->condition);
+      if (no.live) frames_.back().jumps.back().breaks.push_back(no);
+      take(yes);
+      if (!state_.live) return false;
     }
     if (n == limit) return true;
     round(s);
@@ -166,18 +162,11 @@ void Tracer::start(Kept &mine) {
 
 void Tracer::iterate(const Stmt *s, Kept &mine) {
   const Path *path = state_.path;
-  Frame &frame = frames_.back();
-  auto jumps = [&] {
-    size_t n = frame.returned.size() + frame.jumps.back().breaks.size();
-    for (auto &label : frame.gotos) n += label.second.size();
-    for (const Jumps &around : frame.jumps) n += around.continues.size();
-    return n;
-  };
-  const size_t before = jumps();
+  const size_t before = pending();
   if (s->kind != Stmt::DoWhile) condition(s, mine);
   round(s);
   if (s->kind == Stmt::DoWhile && state_.live) condition(s, mine);
-  if (jumps() != before || !state_.live || state_.path != path) irregular("something may leave the loop");
+  if (pending() != before || !state_.live || state_.path != path) irregular("something may leave the loop");
 }
 
 // The loop's condition, which holds in each iteration; as soon as it moves it says how many there are.

@@ -318,6 +318,7 @@ void Tracer::take(State state) {
 }
 
 const Path *Tracer::under(Node *condition) {
+  if (++choices_ > 2 * options_.maxChoices) unsuitable("the function has too many choices of run time, one after the other");
   const Path *outer = state_.path;
   return &paths_.emplace_back(
       Path{outer, condition, graph_.under(outer ? outer->guard : nullptr, condition), outer ? outer->length + 1 : 1});

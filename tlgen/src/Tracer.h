@@ -103,6 +103,7 @@ struct Split {
 };
 
 bool isInteger(const Node *n);
+bool hasEffects(const Expr *e);
 long factorOf(const Node *n, const Loop *loop); // of the loop's iteration number
 
 class Tracer {
@@ -144,6 +145,7 @@ private:
   void jump(const Stmt *s);
   Cells call(const Expr *e);
   void runBody(const Function *f, const std::vector<Cells> &args);
+  size_t pending() const;
   void dropObjects(size_t depth);
 
   // TraceLoop.cpp: loops
@@ -198,6 +200,7 @@ private:
   Node *comparePointers(const std::string &op, const Pointer &a, const Pointer &b);
   bool isGiven(const Pointer &p) const;
   Node *isNull(const Pointer &p);
+  void decide(const Expr *condition, State &yes, State &no);
   void branch(Node *condition, const std::function<void()> &yes, const std::function<void()> &no);
   Node *logical(const Expr *e);
   Cells conditional(const Expr *e);
@@ -300,6 +303,7 @@ private:
   long dof_ = -1;            // -1: not known
   std::vector<Kept *> kept_; // outermost first
   std::map<std::vector<Node *>, Array *> snapshots_;
+  size_t choices_ = 0;               // of run time, so far
   bool splits_ = true;               // comparisons may split loops
   std::vector<Unsuitable> unrolled_; // loops that were not kept
   long steps_ = 0;
