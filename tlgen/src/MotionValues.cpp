@@ -1,5 +1,6 @@
 // Traces a model's functions, and finds the members to differentiate by.
 #include "MotionValues.h"
+#include "Order.h"
 #include "Trace.h"
 
 namespace tlgen {
@@ -23,7 +24,28 @@ MotionValues::MotionValues(const Program &program, const Model &model, const Mot
 
 MotionValues::MotionValues(std::function<Equations(Graph &)> make, bool inRows) : rows(inRows) { setEquations(make(graph)); }
 
+// Reverse and Jets take loops side by side, of a number of iterations that is known before they begin.
+void MotionValues::checkLoops(const Equations &equations) {
+  std::vector<Node *> values = {equations.lagrangian};
+  auto add = [&](const Array *rows) {
+    for (const Write &write : rows->writes) {
+      values.push_back(write.value);
+      if (write.loop) values.push_back(write.loop->index);
+    }
+  };
+  if (equations.force) add(equations.force);
+  for (const Array *function : equations.holonomic) add(function);
+  for (const Array *function : equations.nonholonomic) add(function);
+  Needed needed(values);
+  for (const Loop &loop : graph.loops()) {
+    if (!needed.has(&loop)) continue;
+    if (!loop.trips) throw Unsuitable{"how often the loop runs depends on values of run time", loop.index->loc};
+    if (loop.outer) throw Unsuitable{"the loop is inside of another", loop.index->loc};
+  }
+}
+
 void MotionValues::setEquations(Equations equations) {
+  checkLoops(equations);
   n = equations.n;
   for (const Array *function : equations.holonomic) m1 += function->length;
   for (const Array *function : equations.nonholonomic) m2 += function->length;

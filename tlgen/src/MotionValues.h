@@ -24,6 +24,7 @@ public:
   Graph graph;
 
 private:
+  void checkLoops(const Equations &equations);
   void setEquations(Equations equations);
   void findParameters(const Model &model, const MotionOptions &options);
 
