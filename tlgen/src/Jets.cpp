@@ -135,7 +135,7 @@ Tangents Jets::computeTangents(Node *node, int power) {
   switch (node->op) {
   case Node::Leaf:
     for (auto &[column, value] : inputs_(value(node)).tangents[power]) {
-      if (explicit_ && !column->isConstant())
+      if (explicit_ ? !column->isConstant() : column->op != Node::Affine)
         unsuitable_ = node;
       else
         sum[this->column(column)] = value;

@@ -63,7 +63,8 @@ Results &MotionValues::results(const std::string &need) {
                                        : needs_->parameters(columns_, long(parameters.size()));
   if (const Node *f = needs_->noFormula()) throw Unsuitable{"tlgen has no formula for the derivative of '" + f->text + "'", f->loc};
   for (const auto &jets : made.jets)
-    if (const Node *read = jets->unsuitable()) throw Unsuitable{"which coordinate is read here depends on a loop", read->loc};
+    if (const Node *read = jets->unsuitable())
+      throw Unsuitable{"which coordinate is read here depends on a loop or a table", read->loc};
   return results_.emplace(need, std::move(made)).first->second;
 }
 
