@@ -13,6 +13,9 @@ namespace {
 const std::map<std::string, long> mostInRegisters = {{"energy", 8}, {"residual", 8}, {"tangent", 8}, {"directional", 8}};
 const long mostOtherwise = 5;
 
+// Characters of one function: compilers take minutes for much longer ones.
+const size_t longestFunction = 100000;
+
 // Functions of eom_motion; the last three are solved forms, which come with the needs that they are made of.
 const std::vector<std::pair<std::string, std::string>> &allFunctions() {
   static const std::vector<std::pair<std::string, std::string>> functions = {
@@ -32,14 +35,18 @@ std::set<std::string> completed(std::set<std::string> needs) {
 
 class MotionEmitter {
 public:
-  MotionEmitter(const Program &program, const Model &model, const MotionOptions &options)
-      : program_(program), model_(model), options_(options), name_(model.name), functions_(program, model, sites_) {}
+  MotionEmitter(const Program &program, const Model &model, const MotionOptions &options, Diagnostics &diags)
+      : program_(program), model_(model), options_(options), diags_(diags), name_(model.name), functions_(program, model, sites_) {}
 
   MotionText run() {
     const std::set<std::string> needs = completed(options_.needs);
-    for (auto &[function, need] : allFunctions())
-      if (needs.count(need) && !(isSolved(function) && constrained())) print(function);
+    for (auto &[function, need] : allFunctions()) {
+      bool based = function == need || has(need); // jacobian beside linearise, linearise beside simulate
+      if (need == "linearise" || need == "tangent" || need == "parameters") based = based && has("simulate");
+      if (needs.count(need) && based && !(isSolved(function) && constrained())) print(function);
+    }
     MotionText text;
+    if (printed_.empty()) return text;
     text.source = fits() + definitions_ + description();
     text.header = header();
     text.report = report_;
@@ -47,6 +54,8 @@ public:
   }
 
 private:
+  bool has(const std::string &function) const { return std::count(printed_.begin(), printed_.end(), function) > 0; }
+
   bool constrained() const {
     return std::any_of(model_.functions.begin(), model_.functions.end(),
                        [](const ModelFunction &f) { return f.role == Role::Holonomic || f.role == Role::Nonholonomic; });
@@ -75,6 +84,11 @@ private:
     } catch (const Unsuitable &) {
       if (!rows) throw;
       made = functions_.print(function, values(rows = false));
+    }
+    if (made.definition.size() > longestFunction && options_.form == Form::Auto) {
+      std::string size = std::to_string(made.definition.size() / 1000);
+      diags_.add("adjoint-large", program_, model_.functions[0].function->loc, "'" + function + "' would be " + size + " kB of C");
+      return;
     }
     definitions_ += made.definition;
     prototypes_ += made.prototype;
@@ -131,6 +145,7 @@ private:
   const Program &program_;
   const Model &model_;
   const MotionOptions &options_;
+  Diagnostics &diags_;
   const std::string name_;
   Sites sites_;
   MotionFunctions functions_;
@@ -182,7 +197,7 @@ MotionText emitAdjoint(const Program &program, const Model &model, const MotionO
     return {};
   }
   try {
-    return MotionEmitter(program, model, options).run();
+    return MotionEmitter(program, model, options, diags).run();
   } catch (const Unsuitable &u) {
     diags.add("adjoint-unsuitable", program, u.loc, u.why);
     return {};

@@ -1,8 +1,8 @@
 // From values to statements: need, batches, order.
 #include "Schedule.h"
+#include "Trace.h"
 
 #include <algorithm>
-#include <cassert>
 #include <functional>
 
 namespace tlgen {
@@ -516,6 +516,8 @@ private:
     }
   }
 
+  static Loc placeOf(const Entry &e) { return e.item.node ? e.item.node->loc : Loc(); }
+
   // Depth first, without recursion: chains of values are long.
   void visit(Entry &root, Blocks &blocks) {
     if (root.state != Entry::New) return;
@@ -530,7 +532,7 @@ private:
         continue;
       }
       auto [to, read] = e->after[next++];
-      assert((to->state != Entry::Open || read) && "values that depend on themselves");
+      if (to->state == Entry::Open && !read) throw Unsuitable{"loops that depend on each other cannot be kept", placeOf(*to)};
       if (to->state != Entry::New) continue;
       to->state = Entry::Open;
       path.push_back({to, 0});
