@@ -81,9 +81,13 @@ private:
     MotionFunction made;
     try {
       made = functions_.print(function, values(rows));
-    } catch (const Unsuitable &) {
-      if (!rows) throw;
-      made = functions_.print(function, values(rows = false));
+    } catch (const Unsuitable &why) {
+      try {
+        made = functions_.print(function, values(!rows));
+      } catch (const Unsuitable &) {
+        throw why;
+      }
+      rows = !rows;
     }
     if (made.definition.size() > longestFunction && options_.form == Form::Auto) {
       std::string size = std::to_string(made.definition.size() / 1000);

@@ -248,10 +248,9 @@ MotionFunction MotionFunctions::print(const std::string &name, MotionValues &val
 
 MotionFunction MotionFunctions::define(const std::string &name, const std::string &args, Body &body, const std::string &statements) {
   std::string text = body.declarations() + statements, start, code = withoutComments(text);
-  for (const char *arg : {"q", "qd", "t", "qdd", "lambda", "r_p", "g_y", "g_w", "g_p", "work"}) {
-    bool common = std::string("q qd t work").find(arg) != std::string::npos;
-    if ((common || usesWord(args, arg)) && !usesWord(code, arg)) start += (start.empty() ? "  (void)" : ", (void)") + std::string(arg);
-  }
+  std::string signature = "q, qd, t, " + args + ", work";
+  for (const char *arg : {"q", "qd", "t", "qdd", "lambda", "w", "r_p", "g_y", "g_w", "g_p", "work"})
+    if (usesWord(signature, arg) && !usesWord(code, arg)) start += (start.empty() ? "  (void)" : ", (void)") + std::string(arg);
   if (!start.empty()) start += ";\n";
   if (model_.params && usesWord(code, TRACE_PARAMS))
     start += "  const " + model_.params->spelling + " *const " + TRACE_PARAMS + " = params;\n";

@@ -100,6 +100,16 @@ bool isPositive(const Node *n) {
   return n->op == Node::Math && (n->text == "exp" || n->text == "exp2" || n->text == "cosh" || n->text == "sqrt");
 }
 
+// A value of parameters, constants and iteration numbers alone.
+bool isPassive(const Node *n, std::unordered_map<const Node *, bool> &known) {
+  auto found = known.find(n);
+  if (found != known.end()) return found->second;
+  bool passive = n->op != Node::Carried && n->op != Node::Final && n->op != Node::Read;
+  if (n->op == Node::Leaf) passive = n->slot->kind == Slot::Member;
+  for (const Node *arg : n->args) passive = passive && isPassive(arg, known);
+  return known[n] = passive;
+}
+
 } // namespace
 
 Schedule::Schedule(Graph &graph, std::vector<Phase> phases) : graph_(graph), phases_(std::move(phases)) {
@@ -206,13 +216,15 @@ std::set<const Node *> Schedule::computing() const {
   return found;
 }
 
-// Conditions are made after all that needs them is known, so that they are not checked themselves.
+// Conditions are made after all that needs them is known, so that they are not checked themselves. What parameters alone decide is
+// plain arithmetic: nobody needs its derivatives, and a value that does not exist shows in the results.
 void Schedule::makeChecks() {
   std::vector<Node *> nodes = need(0, true).nodes;
   std::sort(nodes.begin(), nodes.end(), [](const Node *a, const Node *b) { return a->id < b->id; });
   std::set<const Node *> values = computing();
+  std::unordered_map<const Node *, bool> passive;
   for (Node *n : nodes) {
-    if ((n->op != Node::Math && n->op != Node::Recip) || !values.count(n)) continue;
+    if ((n->op != Node::Math && n->op != Node::Recip) || !values.count(n) || isPassive(n, passive)) continue;
     if (n->op == Node::Recip && isPositive(n->args[0])) continue;
     graph_.loc = n->loc;
     Node *outside = outsideDomain(graph_, n);
