@@ -18,8 +18,9 @@ Traced trace(Graph &graph, const Program &program, const Model &model, const Mod
   } else {
     try {
       result = run(options);
-    } catch (const Unsuitable &) { // what a kept loop leaves may be less than is needed
-      TraceOptions unrolled = options;
+    } catch (const Unsuitable &kept) {
+      if (kept.large) throw;
+      TraceOptions unrolled = options; // what a kept loop leaves may be less than is needed
       unrolled.keepLoops = false;
       result = run(unrolled);
     }

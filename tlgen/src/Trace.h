@@ -21,6 +21,7 @@ struct TraceOptions {
 struct Unsuitable {
   std::string why;
   Loc loc;
+  bool large = false; // it is only too large
 };
 
 struct Traced {

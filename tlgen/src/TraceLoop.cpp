@@ -66,7 +66,7 @@ void Tracer::unrolls(const Stmt *loop, const std::string &why) {
   };
   auto known = std::find_if(unrolled_.begin(), unrolled_.end(), same);
   if (known == unrolled_.end())
-    unrolled_.push_back({why, loop->loc});
+    unrolled_.push_back({why, loop->loc, false});
   else
     known->why = why;
 }

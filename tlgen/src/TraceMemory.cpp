@@ -443,8 +443,11 @@ std::string Tracer::dependence(Node *n) const {
 }
 
 void Tracer::checkSize() {
-  if (++steps_ > maxSteps) unsuitable("the function runs too long to be unrolled");
-  if (graph_.size() - before_ > options_.maxNodes) unsuitable("the function is too large to be unrolled");
+  const bool large = graph_.size() - before_ > options_.maxNodes;
+  if (++steps_ <= maxSteps && !large) return;
+  std::string why = large ? "the function is too large to be unrolled" : "the function runs too long to be unrolled";
+  if (unrolled_.empty()) throw Unsuitable{why, graph_.loc, true};
+  throw Unsuitable{why + ", and this loop cannot be kept: " + unrolled_[0].why, unrolled_[0].loc, true};
 }
 
 } // namespace tlgen::symbols

@@ -36,7 +36,7 @@ struct Arguments {
 // The model's C and what the test asks of it, as a library.
 class Compiled {
 public:
-  Compiled(const Arguments &args, const Program &program, const Model &model) : args_(args), program_(program), model_(model) {}
+  Compiled(const Arguments &args, const Model &model) : args_(args), model_(model) {}
 
   void build(const std::string &name, const std::string &code) {
     std::string stem = args_.folder + "/" + args_.options.model + "_" + name;
@@ -63,7 +63,6 @@ public:
 
 private:
   const Arguments &args_;
-  const Program &program_;
   const Model &model_;
   void *library_ = nullptr;
 };
@@ -71,10 +70,10 @@ private:
 std::string number(size_t k) { return std::to_string(k); }
 
 // The integer members of the parameter struct.
-std::map<std::string, long> sizesOf(const Arguments &args, const Program &program, const Model &model) {
+std::map<std::string, long> sizesOf(const Arguments &args, const Model &model) {
   std::map<std::string, long> sizes;
   if (!model.params || args.params == "0") return sizes;
-  Compiled library(args, program, model);
+  Compiled library(args, model);
   std::string code;
   for (const Field &f : model.params->fields)
     if (f.type->kind == Type::Integer)
@@ -155,7 +154,7 @@ struct Case {
 };
 
 int compare(const Arguments &args, const Program &program, const Model &model, const std::vector<Case> &cases, long n) {
-  Compiled library(args, program, model);
+  Compiled library(args, model);
   std::vector<const Slot *> slots;
   std::set<const Node *> seen;
   for (const Case &c : cases) c.traced.rows ? collect(c.traced.rows, seen, slots) : collect(c.traced.value, seen, slots);
@@ -218,7 +217,7 @@ int check(const Arguments &args) {
   lower(source, match, functions, args.options.model, program, model);
 
   TraceOptions options;
-  options.sizes = sizesOf(args, program, model);
+  options.sizes = sizesOf(args, model);
   options.keepLoops = args.loops;
   options.minTrips = 2;
   Graph graph;
