@@ -109,6 +109,7 @@ class Expressions:
 
     def double(self, scope, depth):
         choice = self.random.random()
+        depth -= self.chance(0.3)
         if depth <= 0 or choice < 0.12:
             return self.leaf(scope)
         if choice < 0.3:
@@ -124,13 +125,18 @@ class Expressions:
             a = self.double(scope, depth - 1)
             return Double(["-", a.safe], a.bound)
         if choice < 0.86:
-            return self.squeeze(self.math(scope, depth, SPECIAL if self.chance(0.02) else SMOOTH))
+            return self.squeeze(self.math(scope, depth, SPECIAL if self.chance(0.003) else SMOOTH))
         if choice < 0.88:
             return self.squeeze(self.math(scope, depth, KINKED))
         if choice < 0.93:
             a, b = self.double(scope, depth - 1), self.double(scope, depth - 1)
             return Double([self.condition(scope, depth - 1), " ? ", a.safe, " : ", b.safe], max(a.bound, b.bound))
         return self.call(scope, depth) or self.leaf(scope)
+
+    def settled(self, scope):
+        """A condition that does not depend on the coordinates; mostly: loops that those end have no motion functions."""
+        settled = [f"{i.text} {test}" for i in scope.integers for test in ("> 1", "% 2 == 1", "== 0")] + (["p->mode == 2"] if scope.has_p else [])
+        return Node("condition", [self.random.choice(settled)]) if settled and self.chance(0.8) else self.condition(scope, 1)
 
     def condition(self, scope, depth):
         choice = self.random.random()

@@ -29,7 +29,7 @@ class Generator(Helpers):
         members.append(Member("int", "mode", [self.random.randint(1, 2)]))
         members.append(Member("double", "mass", [self.number() for _ in range(6)], True))
         members.append(Member("double", "rest", [round(self.random.uniform(-1, 1), 2) for _ in range(self.random.randint(2, 4))], True))
-        self.program.sizes += [name for name in ("rounds", "mode") if self.chance(0.8 if name == "rounds" else 0.2)]
+        self.program.sizes += [name for name in ("rounds", "mode") if self.chance(0.95 if name == "rounds" else 0.2)]
         self.rounds = members[-4].values[0]
         table = [str(self.number()) for _ in range(self.random.randint(2, 5))]
         self.table = Array("table", len(table), str(len(table)), False)

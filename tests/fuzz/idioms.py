@@ -58,7 +58,7 @@ class Idioms(Statements):
         inner.integers.append(Integer(i, 0, 2))
         e = self.squeeze(self.double(inner, 2), VARIABLE)
         return [self.statement(f"double {a}[3] = {{0.0}};"), self.statement(f"int {k} = 0;"),
-                self.statement(f"for (int {i} = 0; {i} < 3; {i}++) if (", self.condition(inner, 1), f") {a}[{k}++] = ", e.node, ";"),
+                self.statement(f"for (int {i} = 0; {i} < 3; {i}++) if (", self.settled(inner), f") {a}[{k}++] = ", e.node, ";"),
                 self.statement(f"while ({k} > 0) {target} += 0.3 * {a}[--{k}];")]
 
     def matrix(self, scope):
@@ -82,14 +82,14 @@ class Idioms(Statements):
         y, k = self.fresh("y"), self.fresh("k")
         a, target = self.squeeze(self.double(scope, 2), 1.0), self.random.choice(scope.targets)
         kind = self.random.random()
-        if kind < 0.3:
+        if kind < 0.7:
             return [self.statement(f"double {y} = 1.2;"),
                     self.statement(f"for (int {k} = 0; {k} < 4; {k}++) {y} = 0.5 * ({y} + (1.0 + ", a.safe, " * ", a.safe, f") / {y});"),
                     self.statement(f"{target} += 0.5 * {y};")]
-        if kind < 0.6:
+        if kind < 0.8:
             body = [self.statement(f"{y} *= 0.5;", fixed=True), self.statement(f"{target} += 0.2 * {y} * {y};")]
             return [self.statement(f"double {y} = 3.0 + ", a.safe, ";"), self.statement(f"while ({y} > 0.8) ", Node("block", body))]
-        if kind < 0.8:
+        if kind < 0.9:
             step = self.statement(f"{y} -= ({y} + 0.3 * sin({y}) - ", a.safe, f") / (1.0 + 0.3 * cos({y}));")
             until = [f" while (fabs({y} + 0.3 * sin({y}) - ", a.safe, f") > 1e-3 && ++{k} < 6);"]
             return [self.statement(f"double {y} = 0.5;"), self.statement(f"int {k} = 0;"), self.statement("do ", Node("block", [step]), *until),
@@ -160,7 +160,7 @@ class Idioms(Statements):
         inner.integers.append(Integer(i, 0, 2))
         return [self.statement(f"for (int {i} = 0; {i} < 3; {i}++) ", Node("block", [
                     self.statement(f"{target} += ", self.squeeze(self.double(inner, 2), 1.0).node, ";"),
-                    self.statement("if (", self.condition(inner, 1), f") goto {label};")])),
+                    self.statement("if (", self.settled(inner), f") goto {label};")])),
                 self.statement(f"{target} *= 0.7;"), self.statement(f"{label}: {target} += 0.1;")]
 
     def block(self, scope, count):
@@ -169,7 +169,7 @@ class Idioms(Statements):
                    (self.branch, 2.5), (self.switch, 0.8), (self.array, 1.5), (self.running, 1), (self.walk, 0.8), (self.queue, 0.3),
                    (self.matrix, 0.4), (self.alias, 0.5), (self.pair, 0.7), (self.change_pair, 0.7), (self.out_call, 1.5), (self.copy, 0.3),
                    (self.newton, 0.6), (self.chain, 0.6), (self.early_return, 0.6), (self.jump, 0.3), (self.whole, 0.5), (self.pairs, 0.4),
-                   (self.halves, 0.3), (self.constants, 0.3)]
+                   (self.halves, 0.1), (self.constants, 0.3)]
         block = Node("block", [])
         methods, weights = zip(*choices)
         known = {name: len(getattr(scope, name)) for name in ("leaves", "arrays", "pairs")}

@@ -124,7 +124,7 @@ class Statements(Expressions):
         """break or continue under a condition."""
         if not scope.loops or scope.in_switch:
             return None
-        return [self.statement("if (", self.condition(scope, 1), f") {self.pick('break', 'continue')};")]
+        return [self.statement("if (", self.settled(scope), f") {self.pick('break', 'continue')};")]
 
     def branch(self, scope):
         parts = ["if (", self.condition(scope, 2), ") ", self.block(scope.inner(), self.random.randint(1, 2))]
