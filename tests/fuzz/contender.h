@@ -20,7 +20,7 @@ typedef struct fuzz_contender {
 
 fuzz_compute contender_calls;   /* the runtime on jet functions */
 fuzz_compute contender_motion;  /* the motion functions, one by one */
-fuzz_compute contender_runtime; /* the runtime on motion functions */
+fuzz_compute contender_runtime; /* the runtime on motion functions, and on jets where one is missing */
 
 /* The motion functions for these parameters; null where the model has none. */
 const eom_motion *contender_find_motion(const eom_model *model, const void *params);

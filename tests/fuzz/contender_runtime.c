@@ -77,7 +77,7 @@ void contender_calls(const eom_model *model, const void *params, const fuzz_poin
 
 void contender_runtime(const eom_model *model, const void *params, const fuzz_point *p, fuzz_numbers *v, char *text, size_t size) {
   if (contender_find_motion(model, params))
-    compute(EOM_EMITTER_MOTION, v->sizes.np > 0, model, params, p, v, text, size);
+    compute(EOM_EMITTER_AUTO, v->sizes.np > 0, model, params, p, v, text, size);
   else
     fuzz_make_absent(v, 0, FUZZ_GROUP_COUNT);
 }
