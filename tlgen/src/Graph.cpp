@@ -403,7 +403,7 @@ Node *Graph::logicalAnd(Node *a, Node *b) {
   if (a->isConstant()) return a->offset ? b : a;
   if (b->isConstant()) return b->offset ? a : b;
   if (a == b) return a;
-  Node n(Node::And);
+  Node n(Node::Conjunction);
   n.args = {a, b};
   return make(std::move(n));
 }
@@ -412,7 +412,7 @@ Node *Graph::logicalOr(Node *a, Node *b) {
   if (a->isConstant()) return a->offset ? a : b;
   if (b->isConstant()) return b->offset ? b : a;
   if (a == b) return a;
-  Node n(Node::Or);
+  Node n(Node::Disjunction);
   n.args = {a, b};
   return make(std::move(n));
 }
@@ -485,9 +485,9 @@ Node *Graph::rebuild(Node *n, std::vector<Node *> args) {
     return compare(n->text, args[0], args[1]);
   case Node::Not:
     return logicalNot(args[0]);
-  case Node::And:
+  case Node::Conjunction:
     return logicalAnd(args[0], args[1]);
-  case Node::Or:
+  case Node::Disjunction:
     return logicalOr(args[0], args[1]);
   case Node::Select:
     return select(args[0], args[1], args[2]);

@@ -41,23 +41,23 @@ struct Guard {
 
 struct Node {
   enum Op {
-    Number,  // value
-    Affine,  // an integer: offset + sum of terms (coefficient times a loop's iteration number)
-    Leaf,    // element args (indices) of slot
-    Carried, // carried number which of loop of, as an iteration begins
-    Final,   // the same after the last iteration
-    Read,    // element args[0] of array
-    Add,     // args[0] + args[1]
-    Mul,     // args[0] * args[1]; a Number comes first
-    Recip,   // 1 / args[0]
-    Math,    // text(args), a function of math.h
-    Taylor,  // derivative number which, from 0, of the external function text at args
-    Convert, // (text)args[0]: an integer type
-    Integer, // args[0] text args[1]: / and % of integers that are not Affine
-    Compare, // args[0] text args[1]: < or <= or ==
-    Not,     // of a truth value
-    And,
-    Or,
+    Number,      // value
+    Affine,      // an integer: offset + sum of terms (coefficient times a loop's iteration number)
+    Leaf,        // element args (indices) of slot
+    Carried,     // carried number which of loop of, as an iteration begins
+    Final,       // the same after the last iteration
+    Read,        // element args[0] of array
+    Add,         // args[0] + args[1]
+    Mul,         // args[0] * args[1]; a Number comes first
+    Recip,       // 1 / args[0]
+    Math,        // text(args), a function of math.h
+    Taylor,      // derivative number which, from 0, of the external function text at args
+    Convert,     // (text)args[0]: an integer type
+    Integer,     // args[0] text args[1]: / and % of integers that are not Affine
+    Compare,     // args[0] text args[1]: < or <= or ==
+    Not,         // of a truth value
+    Conjunction, // of truth values
+    Disjunction,
     Select // args[0] ? args[1] : args[2]
   };
   explicit Node(Op kind) : op(kind) {}

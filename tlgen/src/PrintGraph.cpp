@@ -13,7 +13,9 @@ const long longestLocal = 64;         // numbers of an array on the stack
 
 std::string blanks(int n) { return std::string(size_t(n), ' '); }
 
-bool isTruth(const Node *n) { return n->op == Node::Compare || n->op == Node::Not || n->op == Node::And || n->op == Node::Or; }
+bool isTruth(const Node *n) {
+  return n->op == Node::Compare || n->op == Node::Not || n->op == Node::Conjunction || n->op == Node::Disjunction;
+}
 
 // Values whose text is as good as a name, wherever and however often it is used.
 bool isPlain(const Node *n) {
@@ -207,7 +209,8 @@ Text GraphPrinter::affine(const Node *n) {
     if (factor) parts.push_back({std::labs(factor) == 1 ? name : times, factor < 0});
   }
   if (n->offset || parts.empty()) parts.push_back({{std::to_string(std::labs(n->offset)), Primary}, n->offset < 0});
-  std::stable_partition(parts.begin(), parts.end(), [](const auto &part) { return !part.second; });
+  auto added = std::find_if(parts.begin(), parts.end(), [](const auto &part) { return !part.second; });
+  if (added != parts.end()) std::rotate(parts.begin(), added, added + 1);
   Text sum = parts[0].second ? unaryText("-", parts[0].first) : parts[0].first;
   for (size_t i = 1; i < parts.size(); ++i) sum = binaryText(parts[i].second ? "-" : "+", sum, parts[i].first);
   return sum;
@@ -368,9 +371,9 @@ GraphPrinter::Shown GraphPrinter::compute(const Node *n) {
     x.text = unaryText("!", x.text);
     return x;
   }
-  case Node::And:
+  case Node::Conjunction:
     return combine("&&", n->args[0], n->args[1], true);
-  case Node::Or:
+  case Node::Disjunction:
     return combine("||", n->args[0], n->args[1], true);
   case Node::Select: {
     Shown c = show(n->args[0]), a = show(n->args[1]), b = show(n->args[2]);

@@ -14,8 +14,8 @@ bool isInteger(const Node *n) {
   case Node::Affine:
   case Node::Compare:
   case Node::Not:
-  case Node::And:
-  case Node::Or:
+  case Node::Conjunction:
+  case Node::Disjunction:
   case Node::Integer:
     return true;
   case Node::Convert:

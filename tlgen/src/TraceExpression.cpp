@@ -11,7 +11,7 @@ namespace tlgen::symbols {
 namespace {
 
 bool isTruth(const Node *n) {
-  return n->op == Node::Compare || n->op == Node::Not || n->op == Node::And || n->op == Node::Or ||
+  return n->op == Node::Compare || n->op == Node::Not || n->op == Node::Conjunction || n->op == Node::Disjunction ||
          (n->isConstant() && (n->offset == 0 || n->offset == 1));
 }
 
@@ -251,8 +251,8 @@ Range Tracer::boundsOf(const Node *n) {
     return {extreme(n, false), extreme(n, true)};
   case Node::Compare:
   case Node::Not:
-  case Node::And:
-  case Node::Or:
+  case Node::Conjunction:
+  case Node::Disjunction:
     return {0, 1};
   case Node::Select:
     return hull(bounds(n->args[1]), bounds(n->args[2]));

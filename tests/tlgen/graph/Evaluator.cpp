@@ -75,9 +75,9 @@ Value Evaluator::compute(const Node *n) {
     return element(n->array, of(n->args[0]).integer);
   case Node::Select:
     return of(n->args[of(n->args[0]).integer ? 1 : 2]);
-  case Node::And:
+  case Node::Conjunction:
     return Value::of(long(of(n->args[0]).integer && of(n->args[1]).integer));
-  case Node::Or:
+  case Node::Disjunction:
     return Value::of(long(of(n->args[0]).integer || of(n->args[1]).integer));
   default:
     return operation(n);
