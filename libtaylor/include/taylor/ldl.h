@@ -289,7 +289,7 @@ TL_INLINE void tl_ldl_rows(int n, int rows, tl_real *w, int ld, tl_real *d, int 
   const tl_real entry3 = rows > 3 ? wi[3 * ld + i + 3] : entry0;
   tl_ldl_tile t, right;
   tl_ldl_load(rows, &t, wi + i, ld);
-  if (more) tl_ldl_load(4, &right, wi + i + 4, ld);
+  tl_ldl_load(rows, &right, wi + (more ? i + 4 : i), ld); /* not used where there is none: compilers cannot tell */
   if (more)
     tl_ldl_less_rows(n <= TL_LDL_UNROLLED, 4, &t, &right, wi, ld, 1, w + i, ld, i);
   else
