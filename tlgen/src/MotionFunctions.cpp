@@ -64,8 +64,8 @@ struct Part {
 // The statements of one function. Results are given their places first, then printed part by part.
 class MotionFunctions::Body {
 public:
-  Body(MotionFunctions &of, MotionValues &values, std::vector<Part> parts)
-      : values(values), parts_(std::move(parts)), schedule_(values.graph, phases()),
+  Body(MotionFunctions &of, MotionValues &made, std::vector<Part> parts)
+      : values(made), parts_(std::move(parts)), schedule_(made.graph, phases()),
         printer(schedule_, of.program_, of.sites_, of.takenNames()) {}
 
   // The result, a row of numbers, is memory of that name.

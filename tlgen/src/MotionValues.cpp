@@ -27,8 +27,8 @@ MotionValues::MotionValues(std::function<Equations(Graph &)> make, bool inRows) 
 // Reverse and Jets take loops side by side, of a number of iterations that is known before they begin.
 void MotionValues::checkLoops(const Equations &equations) {
   std::vector<Node *> values = {equations.lagrangian};
-  auto add = [&](const Array *rows) {
-    for (const Write &write : rows->writes) {
+  auto add = [&](const Array *results) {
+    for (const Write &write : results->writes) {
       values.push_back(write.value);
       if (write.loop) values.push_back(write.loop->index);
     }
