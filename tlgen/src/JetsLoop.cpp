@@ -157,8 +157,11 @@ bool Jets::tryLoop(Loop *loop, std::vector<Present> &present) {
 }
 
 void Jets::finishLoop(Loop *loop, size_t firstUpdate) {
-  for (const Array &array : graph_.arrays())
-    if (loop && needed_->has(&array)) storeWrites(const_cast<Array *>(&array), loop);
+  const size_t count = graph_.arrays().size(); // storing makes more of them
+  for (size_t k = 0; loop && k < count; ++k) {
+    const Array &array = graph_.arrays()[k];
+    if (needed_->has(&array)) storeWrites(const_cast<Array *>(&array), loop);
+  }
   for (const JetOutput &output : *outputs_)
     if (output.loop == loop) finishOutput(output);
   if (loop) boundUpdates(clones_.at(loop), firstUpdate);
