@@ -65,7 +65,7 @@ static results in_registers, in_rows;
 
 static void check(int n) {
   const results *a = &in_registers, *b = &in_rows;
-  double expected[MOST * MOST], residual[MOST];
+  double expected[MOST * MOST] = {0}, residual[MOST] = {0};
   for (int i = 0; i < n; i++)
     for (int j = 0; j < n; j++) expected[i * n + j] = mass_matrix(n, i, j);
   assert_near(a->M, expected, n * n);
