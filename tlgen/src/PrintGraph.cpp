@@ -424,7 +424,8 @@ std::string GraphPrinter::loopText(Loop *loop, int indent) {
     const Loop *in = it->first.second->loop;
     it = in && in->within(loop) ? externals_.erase(it) : std::next(it);
   }
-  return s + blanks(indent) + "for (" + head + ") {\n" + body + blanks(indent) + "}\n";
+  std::string unread = loop->trips ? "" : blanks(indent + 2) + "(void)" + name + ";\n"; // a body need not look at it
+  return s + blanks(indent) + "for (" + head + ") {\n" + unread + body + blanks(indent) + "}\n";
 }
 
 // x += y for x = x + y.
