@@ -64,6 +64,12 @@ const Guard *Graph::under(const Guard *outer, Node *condition) {
   return &guards_.emplace_back(Guard{outer, holds});
 }
 
+const Guard *Graph::remade(const Guard *of, const std::function<Node *(Node *)> &other) {
+  if (!of) return nullptr;
+  Node *condition = other(of->holds);
+  return condition == of->holds ? of : under(remade(of->outer, other), condition);
+}
+
 Node *Graph::make(Node n) {
   std::string key = keyOf(n);
   auto known = known_.find(key);

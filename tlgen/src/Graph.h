@@ -8,6 +8,7 @@
 
 #include "Program.h"
 
+#include <functional>
 #include <unordered_map>
 
 namespace tlgen {
@@ -181,7 +182,9 @@ public:
     const Guard *guard_;
     Loc loc_;
   };
-  const Guard *under(const Guard *outer, Node *condition);    // outer and condition
+  const Guard *under(const Guard *outer, Node *condition); // outer and condition
+  // The same conditions of other values: other(node) stands for each node.
+  const Guard *remade(const Guard *of, const std::function<Node *(Node *)> &other);
   static bool covers(const Guard *outer, const Guard *inner); // whether inner holds only where outer does
 
   const Slot *slot(Slot s); // the one of that kind and text

@@ -26,17 +26,13 @@ Node *Jets::coefficient(Node *node, int power) {
   Node *known = info_[node].c[power];
   if (known) return known;
   Graph::Making making(graph_, remade(node->guard), node->loc);
-  Node *made = compute(node, power);
+  Node *made = power ? computeHigher(node, power) : computeValue(node);
   return info_[node].c[power] = made;
 }
 
 const Guard *Jets::remade(const Guard *guard) {
-  if (!guard) return nullptr;
-  Node *holds = value(guard->holds);
-  return holds == guard->holds ? guard : graph_.under(remade(guard->outer), holds);
+  return graph_.remade(guard, [this](Node *node) { return value(node); });
 }
-
-Node *Jets::compute(Node *node, int power) { return power ? computeHigher(node, power) : computeValue(node); }
 
 Node *Jets::computeValue(Node *node) {
   switch (node->op) {

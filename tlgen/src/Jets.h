@@ -93,12 +93,11 @@ public:
   Node *coefficient(Node *node, int power);
   const Tangents &tangents(Node *node, int power);
 
-  // An input whose column follows from an iteration number, where columns are explicit; null where there is none. Then results are
-  // wrong.
+  // An input whose column is not constant, where columns are explicit, or does not follow from iteration numbers, where they are not;
+  // null where there is none. Otherwise results are wrong.
   const Node *unsuitable() const { return unsuitable_; }
 
   const std::vector<RowUpdate> &updates() const { return updates_; }
-  const std::deque<Row> &rows() const { return rows_; }
 
 private:
   struct Info {
@@ -127,7 +126,6 @@ private:
 
   Node *value(Node *node) { return coefficient(node, 0); }
   const Guard *remade(const Guard *guard);
-  Node *compute(Node *node, int power);
   Node *computeValue(Node *node);
   Node *computeHigher(Node *node, int power);
   Tangents computeTangents(Node *node, int power);

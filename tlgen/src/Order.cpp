@@ -1,7 +1,6 @@
 // Reachability and order of nodes and loops.
 #include "Order.h"
 
-#include <algorithm>
 #include <tuple>
 
 namespace tlgen {

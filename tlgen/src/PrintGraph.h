@@ -51,11 +51,6 @@ private:
     Text text;
     std::set<const Node *> carried; // what it says of carried values, which hold it only until they are updated
   };
-  struct Indent {
-    int by = 2;
-    const Loc *quoted = nullptr;
-  };
-
   std::string block(const Loop *loop, int indent);
   std::string item(const Item &item, int indent);
   std::string value(const Node *n, int indent);

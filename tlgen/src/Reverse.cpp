@@ -123,9 +123,7 @@ private:
   }
 
   const Guard *guardAt(const Guard *guard) {
-    if (!guard) return nullptr;
-    Node *holds = at(guard->holds);
-    return holds == guard->holds ? guard : graph_.under(guardAt(guard->outer), holds);
+    return graph_.remade(guard, [this](Node *node) { return at(node); });
   }
 
   // The iteration numbers of the forward loops as those of the backward ones.
