@@ -125,7 +125,7 @@ struct Array {
 class Graph {
 public:
   // Values. Constants are folded, products keep one Number in front, x*1, x*0, x+0 and double negation go away, products of the same
-  // factors are the same, and equal terms of sums are taken together or cancel.
+  // factors are the same, and equal terms of sums are taken together or cancel (Sums.cpp).
   Node *number(double value);
   Node *integer(long value) { return affine(value, {}); }
   Node *affine(long offset, std::vector<std::pair<Loop *, long>> terms);
@@ -192,23 +192,23 @@ public:
   const std::deque<Array> &arrays() const { return arrays_; }
   size_t size() const { return nodes_.size(); }
 
-private:
   // A product as number times the rest; the rest is null for a number itself.
   struct Scaled {
     double factor;
     Node *rest;
   };
-
-  Node *make(Node n);
   static Scaled scaled(Node *n);
-  static int rank(const Node *n);
+  // The factors of a product, and the terms of a sum (negated sums taken apart); false where there are too many terms to look at.
   static void factorsOf(Node *n, std::vector<Node *> &to);
-  bool terms(Node *n, double factor, std::vector<Scaled> &to);
+  static bool terms(Node *n, double factor, std::vector<Scaled> &to);
+
+private:
+  Node *make(Node n);
+  static int rank(const Node *n);
   Node *scaledNode(const Scaled &s);
   Node *mergedSum(Node *a, Node *b);
-  Node *merged(const std::vector<Scaled> &left, const std::vector<Scaled> &right, bool cancel);
+  static bool takeTogether(std::vector<Scaled> &terms, size_t left);
   bool joinSquares(std::vector<Scaled> &terms);
-  bool multiplyOut(std::vector<Scaled> &terms);
   Node *plainSum(Node *a, Node *b);
 
   std::deque<Node> nodes_;
