@@ -77,17 +77,28 @@ const std::map<std::string, Function> &ofOne() {
   return table;
 }
 
-Node *ofPow(Graph &g, Node *y, size_t argument) {
+int orderOf(const Node *power) { return power->text == "pow" ? 0 : int(power->args[2]->offset); }
+
+// y is the k-th derivative of x^e in x. Its own in e: the k-th of x^e log x, by Leibniz' rule.
+Node *ofPower(Graph &g, Node *y, size_t argument) {
   Node *x = y->args[0], *e = y->args[1];
-  if (argument == 1) return g.mul(y, g.math("log", {x}));
-  return g.mul(e, g.math("pow", {x, g.sub(e, g.number(1))}));
+  const int k = orderOf(y);
+  if (argument == 0) return g.power(x, e, k + 1);
+  Node *sum = g.mul(y, g.math("log", {x})), *inverse = g.number(1);
+  double falling = -1; // -k * -(k-1) .. -(k-j+1), negated
+  for (int j = 1; j <= k; ++j) {
+    falling *= j - 1 - k;
+    inverse = g.mul(inverse, g.recip(x));
+    sum = g.add(sum, g.scale(falling / j, g.mul(inverse, g.power(x, e, k - j))));
+  }
+  return sum;
 }
 
 // Functions of two and more numbers.
 Node *ofMany(Graph &g, Node *y, size_t argument) {
   const std::string &f = y->text;
   Node *a = y->args[0], *b = y->args[1], *one = g.number(1), *zero = g.number(0);
-  if (f == "pow") return ofPow(g, y, argument);
+  if (f == "pow" || f == "tl_power") return argument < 2 ? ofPower(g, y, argument) : nullptr;
   if (f == "hypot") return g.div(y->args[argument], y);
   if (f == "atan2") {
     Node *r = g.recip(g.add(square(g, a), square(g, b)));
@@ -105,7 +116,13 @@ Node *ofMany(Graph &g, Node *y, size_t argument) {
   return nullptr;
 }
 
-bool whole(const Node *n) { return n->isNumber() && n->value == std::floor(n->value); }
+// Literal exponents: whole ones take every x, but no 0 where they are negative; others no x < 0.
+Node *outsideOfPower(Graph &g, Node *y) {
+  Node *x = y->args[0], *e = y->args[1];
+  if (!e->isNumber()) return g.logicalNot(g.math("tl_power_exists", {x, e, g.integer(orderOf(y))}));
+  if (e->value < 0) return e->value == std::floor(e->value) ? isZero(g, x) : notPositive(g, x);
+  return e->value == std::floor(e->value) ? nullptr : g.compare("<", x, g.number(0));
+}
 
 } // namespace
 
@@ -126,7 +143,7 @@ Node *outsideDomain(Graph &graph, Node *math) {
     return known == ofOne().end() || !known->second.outside ? nullptr : known->second.outside(graph, x, math);
   }
   Node *y = math->args[1];
-  if (f == "pow") return whole(y) ? y->value < 0 ? isZero(graph, x) : nullptr : notPositive(graph, x);
+  if (f == "pow" || f == "tl_power") return outsideOfPower(graph, math);
   if (f == "hypot") return isZero(graph, math);
   if (f == "atan2") return graph.logicalAnd(isZero(graph, x), isZero(graph, y));
   if (f == "fmin" || f == "fmax" || f == "fdim") return graph.compare("==", x, y);

@@ -212,9 +212,9 @@ double folded(const std::string &function, double x) {
 }
 
 // x^n for a whole n > 0 by squaring.
-Node *power(Graph &g, Node *x, int n) {
+Node *wholePower(Graph &g, Node *x, int n) {
   if (n == 1) return x;
-  Node *half = power(g, x, n / 2), *square = g.mul(half, half);
+  Node *half = wholePower(g, x, n / 2), *square = g.mul(half, half);
   return n % 2 ? g.mul(square, x) : square;
 }
 
@@ -226,11 +226,13 @@ Node *Graph::math(const std::string &function, std::vector<Node *> args) {
     double value = folded(function, x->value);
     if (std::isfinite(value)) return number(value);
   }
+  if (function == "tl_power" && (args[1]->isNumber() || args[1]->isConstant())) return power(x, args[1], int(args[2]->offset));
+  if (function == "pow" && args[1]->isConstant()) args[1] = number(double(args[1]->offset));
   if (function == "pow" && args[1]->isNumber()) {
     double e = args[1]->value;
     if (e == 0) return number(1);
     if (e == 0.5) return math("sqrt", {x});
-    if (e == std::floor(e) && std::fabs(e) <= 16) return e > 0 ? power(*this, x, int(e)) : recip(power(*this, x, int(-e)));
+    if (e == std::floor(e) && std::fabs(e) <= 16) return e > 0 ? wholePower(*this, x, int(e)) : recip(wholePower(*this, x, int(-e)));
   }
   if (function == "sin" && isNegation(x)) return neg(math("sin", {x->args[1]}));
   if ((function == "cos" || function == "fabs") && isNegation(x)) return math(function, {x->args[1]});
@@ -238,6 +240,13 @@ Node *Graph::math(const std::string &function, std::vector<Node *> args) {
   n.text = function;
   n.args = std::move(args);
   return make(std::move(n));
+}
+
+Node *Graph::power(Node *x, Node *exponent, int k) {
+  if (k == 0) return math("pow", {x, exponent});
+  if (!exponent->isNumber() && !exponent->isConstant()) return math("tl_power", {x, exponent, integer(k)});
+  const double e = exponent->isNumber() ? exponent->value : double(exponent->offset);
+  return scale(e, power(x, number(e - 1), k - 1));
 }
 
 Node *Graph::taylor(const std::string &function, int order, std::vector<Node *> args) {

@@ -51,7 +51,7 @@ struct Node {
     Add,         // args[0] + args[1]
     Mul,         // args[0] * args[1]; a Number comes first
     Recip,       // 1 / args[0]
-    Math,        // text(args), a function of math.h
+    Math,        // text(args), a function of math.h or of taylor/power.h
     Taylor,      // derivative number which, from 0, of the external function text at args
     Convert,     // (text)args[0]: an integer type
     Integer,     // args[0] text args[1]: / and % of integers that are not Affine
@@ -138,6 +138,7 @@ public:
   Node *recip(Node *a);
   Node *div(Node *a, Node *b) { return mul(a, recip(b)); }
   Node *math(const std::string &function, std::vector<Node *> args);
+  Node *power(Node *x, Node *exponent, int k); // the k-th derivative of pow in x
   Node *taylor(const std::string &function, int order, std::vector<Node *> args);
   Node *convert(const std::string &type, Node *a);          // "tl_real" makes a number of an integer
   Node *integerOp(const std::string &op, Node *a, Node *b); // + - * stay Affine where they can

@@ -33,6 +33,12 @@ bool isPlain(const Node *n) {
   }
 }
 
+// Whether an argument of the function is an int.
+bool takesInt(const std::string &function, size_t argument) {
+  if (function == "ldexp" || function == "scalbn" || function == "scalbln") return argument == 1;
+  return argument == 2 && (function == "tl_power" || function == "tl_power_exists");
+}
+
 bool isNegative(const Node *n) {
   return n->isNumber() ? n->value < 0 : n->op == Node::Mul && n->args[0]->isNumber() && n->args[0]->value < 0;
 }
@@ -70,6 +76,7 @@ bool isInteger(const Node *n) {
 
 size_t Sites::number(const Node *node) {
   std::string function = node->op == Node::Recip ? "div" : node->op == Node::Taylor ? "compose" : node->text;
+  if (function == "tl_power") function = "pow";
   for (size_t i = 0; i < sites_.size(); ++i)
     if (sites_[i].function == function && sites_[i].loc.file == node->loc.file && sites_[i].loc.line == node->loc.line) return i + 1;
   sites_.push_back({function, node->loc});
@@ -317,9 +324,10 @@ GraphPrinter::Shown GraphPrinter::product(const Node *n) {
 GraphPrinter::Shown GraphPrinter::compute(const Node *n) {
   auto call = [&](const std::string &function) {
     Shown s;
-    for (const Node *arg : n->args) {
+    for (size_t i = 0; i < n->args.size(); ++i) {
+      const Node *arg = n->args[i];
       Shown x = show(arg);
-      bool whole = arg != n->args[0] && (function == "ldexp" || function == "scalbn" || function == "scalbln");
+      bool whole = takesInt(function, i);
       s.text.s += (s.text.s.empty() ? "" : ", ") + (whole ? (arg->isConstant() ? "" : "(int)") + operand(x.text, Prefix) : real(arg).s);
       s.carried.insert(x.carried.begin(), x.carried.end());
     }

@@ -1,4 +1,4 @@
-/* What the header-only kernels (ldl.h, sincos_array.h, row.h) share: inlining, unrolling, vectors of numbers, padded rows.
+/* What the header-only kernels (ldl.h, sincos_array.h, row.h, power.h) share: inlining, unrolling, vectors of numbers, padded rows.
  *
  * Kernels are functions of sizes that are constants where they are called; an optimising compiler leaves no loop over a small size, and
  * no array of the caller's that has no other use. Other compilers than gcc and clang, and all with -DTL_NO_VECTORS, get the same
