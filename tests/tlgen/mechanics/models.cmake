@@ -3,26 +3,26 @@ add_mechanics(planar_arm "planar arm with three joints; 4x4 matrices in flat arr
   LAGRANGIAN arm_lagrangian ARGS p=arm PARAMS "&bench_arm")
 add_mechanics(heavy_top "heavy top in Euler angles; terse scalars, macro for squares" DOF 3 LAGRANGIAN L ARGS q=phi,th,psi qd=phid,thd,psid)
 add_mechanics(spatial_arm "arm with six axes; matrices as structs by value, designated table" DOF 6 LAGRANGIAN arm6_lagrangian)
-add_mechanics(recursive_chain "chain of rods in relative angles; a function that calls itself" DOF count LAGRANGIAN chain_lagrangian ARGS p=c
+add_mechanics(recursive_chain "chain of rods in relative angles; a function that calls itself" DOF count SIZES count=4 LAGRANGIAN chain_lagrangian ARGS p=c
   RECURSION rest_of:5 PARAMS "&whip")
 add_mechanics(gimbal "gyroscope in two frames; vector algebra in macros" DOF 3 LAGRANGIAN GyroLagrangian PARAMS "&Gyro")
 add_mechanics(kepler_j2 "orbit about an oblate planet; Fortran translated by f2c: arrays from 1, goto" DOF 3 LAGRANGIAN xlagr_ ARGS q=x qd=xd)
-add_mechanics(three_bodies "three softened bodies; restrict, pointer walks, do and while" DOF 6 LAGRANGIAN nbody_lagrangian ARGS p=system
+add_mechanics(three_bodies "three softened bodies; restrict, pointer walks, do and while" DOF 6 SIZES bodies=3 LAGRANGIAN nbody_lagrangian ARGS p=system
   PARAMS "&figure")
 add_mechanics(relativistic "relativistic charge; Hungarian names and typedefs for every type" DOF 2 LAGRANGIAN RelativisticLagrangian
   ARGS q=lpdPos qd=lpdVel p=lpstParticle PARAMS "&g_stElectron")
 add_mechanics(toda "periodic Toda lattice; one-line functions, recursion instead of loops" DOF 4 LAGRANGIAN toda_lagrangian
   RECURSION kinetic_from:5 potential_from:5)
-add_mechanics(fput "Fermi-Pasta-Ulam-Tsingou chain; kernel style: tabs, iterator macros, ret" DOF nr_masses LAGRANGIAN fput_lagrangian
+add_mechanics(fput "Fermi-Pasta-Ulam-Tsingou chain; kernel style: tabs, iterator macros, ret" DOF nr_masses SIZES nr_masses=5 LAGRANGIAN fput_lagrangian
   ARGS p=chain PARAMS "&fput_default")
 add_mechanics(lennard_jones "cluster of four atoms; MISRA C: exact-width types, one exit" DOF 8 LAGRANGIAN lj_lagrangian)
 add_mechanics(stop "carriages with end stops and play; early returns, chains of ?:, fmax in a force" DOF 2 LAGRANGIAN carriages FORCE dampers)
 add_mechanics(terrain "puck on measured ground; static tables of float and short, search for the cell" DOF 2 LAGRANGIAN puck
   ARGS q=x,y qd=vx,vy)
-add_mechanics(stick_slip "blocks on a belt with tanh friction; a list of elements, enum and switch" DOF num_blocks
+add_mechanics(stick_slip "blocks on a belt with tanh friction; a list of elements, enum and switch" DOF num_blocks SIZES num_blocks=3 num_elements=9
   LAGRANGIAN RigEnergyDifference FORCE RigForces ARGS p=rig PARAMS "&kBrakeRig")
 add_mechanics(rotating_hoop "bead on a hoop spun up in time; header-only inline helpers, array typedefs" DOF 1 LAGRANGIAN bead_on_hoop)
-add_mechanics(terrain_floor "point mass in a sampled potential; (int)floor of coordinates, switch of spline weights" DOF 2 LAGRANGIAN walker
+add_mechanics(terrain_floor "point mass in a sampled potential; (int)floor of coordinates, switch of spline weights" DOF 2 SIZES width=8 height=8 LAGRANGIAN walker
   ARGS p=map PARAMS "&yard")
 add_mechanics(mesh "net of knots and threads; objects with flags and floats filled by memcpy, laws as callbacks in a table" DOF 8
   LAGRANGIAN net_lagrangian)
@@ -41,7 +41,7 @@ add_mechanics(furuta "Furuta pendulum with a motor; parameters, indices and loca
   FORCE furuta_force PARAMS "&furuta_lab")
 add_mechanics(ball_and_beam "ball on a driven beam; inheritance by the first member, methods that take self" DOF 2 LAGRANGIAN Beam_lagrangian
   FORCE Beam_torque)
-add_mechanics(cart_pendulums "cart with a chain of links; arrays of variable length, restrict, static n, prefix sums" DOF coordinates
+add_mechanics(cart_pendulums "cart with a chain of links; arrays of variable length, restrict, static n, prefix sums" DOF coordinates SIZES links=3 coordinates=4
   LAGRANGIAN cart_lagrangian FORCE cart_joint_friction PARAMS "&cart")
 add_mechanics(four_bar "four-bar linkage closed by constraints; compound literals by address" DOF 3 LAGRANGIAN linkage HOLONOMIC loop_closure:2
   FORCE motor)
@@ -49,7 +49,7 @@ add_mechanics(foucault "Foucault pendulum in the rotating frame; terse, one comm
   ARGS q=r qd=v out=F)
 add_mechanics(swinging_atwood "swinging Atwood machine with wide pulleys; GNU style, scalar arguments" DOF 2 LAGRANGIAN atwood_lagrangian
   ARGS q=r,theta qd=rdot,thetadot)
-add_mechanics(half_car "half-car suspension; table of elements with kinds, switch with fall-through" DOF 4 LAGRANGIAN half_car_lagrangian
+add_mechanics(half_car "half-car suspension; table of elements with kinds, switch with fall-through" DOF 4 SIZES n_elements=8 LAGRANGIAN half_car_lagrangian
   FORCE half_car_dampers PARAMS "&car")
 add_mechanics(tethered_drone "drone on a cable of three segments; vector macros, pointer walk in do while" DOF 9 LAGRANGIAN drone_lagrangian
   FORCE drone_thrust)
