@@ -364,7 +364,7 @@ Node *Graph::final(Loop *loop, int which) {
 }
 
 Array *Graph::array(const std::string &label, long length) {
-  return &arrays_.emplace_back(Array{int(arrays_.size()), label, length, false, nullptr, {}});
+  return &arrays_.emplace_back(Array{int(arrays_.size()), label, length, false, false, nullptr, {}});
 }
 
 Node *Graph::read(Array *array, Node *index) {

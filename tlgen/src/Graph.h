@@ -118,6 +118,7 @@ struct Array {
   std::string name;
   long length;
   bool summed = false;  // elements start at zero and writes add
+  bool tape = false;    // of a loop without outer ones: element i is what Write's value is in iteration i
   Loop *home = nullptr; // the loop in each iteration of which it is filled anew; null: once
   std::vector<Write> writes;
 };

@@ -4,7 +4,7 @@
 namespace tlgen {
 
 Jets::Jets(Graph &graph, std::function<LeafJet(Node *)> inputs, int powers, long columns, bool explicitColumns)
-    : graph_(graph), inputs_(std::move(inputs)), powers_(powers), columns_(columns), explicit_(explicitColumns) {}
+    : graph_(graph), inputs_(std::move(inputs)), powers_(powers), columns_(columns), explicit_(explicitColumns), tapes_(graph) {}
 
 Row *Jets::row(const std::string &name, long count) {
   return &rows_.emplace_back(Row{int(rows_.size()), name, count, nullptr, false, true});
@@ -49,8 +49,11 @@ Node *Jets::computeValue(Node *node) {
     Node *in = coefficient(node->of->carried[size_t(node->which)].in, 0);
     return graph_.final(in->of, in->which);
   }
-  case Node::Read:
-    return graph_.read(stored_.at(node->array).c[0], value(node->args[0]));
+  case Node::Read: {
+    const Stored &stored = stored_.at(node->array);
+    if (stored.taped) return tapedAt(stored, value(stored.taped), value(node->args[0]));
+    return graph_.read(stored.c[0], value(node->args[0]));
+  }
   default:
     break;
   }
@@ -75,7 +78,9 @@ Node *Jets::computeHigher(Node *node, int power) {
     return in->op == Node::Carried ? graph_.final(in->of, in->which) : in;
   }
   case Node::Read: {
-    Array *array = stored_.at(node->array).c[power];
+    const Stored &stored = stored_.at(node->array);
+    if (stored.taped) return tapedAt(stored, c(stored.taped, power), value(args[0]));
+    Array *array = stored.c[power];
     return array ? graph_.read(array, value(args[0])) : sum;
   }
   case Node::Add:
@@ -202,6 +207,11 @@ Tangents Jets::readTangents(Node *node, int power) {
     Graph::Replacement by = {{stored.loop->index, index}};
     return graph_.replace(ofIteration, by);
   };
+  for (const Part &part : stored.parts[power]) {
+    const Direction *d =
+        part.column ? this->column(here(part.column)) : direction({0, nullptr, part.row, nullptr, here(part.bound), false});
+    accumulate(sum, tapedAt(stored, part.factor, index), {{d, graph_.number(1)}});
+  }
   for (auto &[column, array] : stored.columns[power]) sum[this->column(here(column))] = graph_.read(array, index);
   Node *bound = here(stored.bound[power]);
   if (stored.view[power]) sum[direction({0, nullptr, stored.view[power], nullptr, bound, false})] = graph_.number(1);
@@ -209,6 +219,13 @@ Tangents Jets::readTangents(Node *node, int power) {
   if (stored.wide[power])
     for (long j = 0; j < columns_; ++j) sum[column(graph_.integer(j))] = graph_.read(stored.wide[power], wideIndex(index, j));
   return sum;
+}
+
+// What has a value in each iteration of the loop that fills the tape, as it was in one of them.
+Node *Jets::tapedAt(const Stored &stored, Node *ofIteration, Node *index) {
+  Graph::Replacement &there = taped_[{stored.loop, index}];
+  there[stored.loop->index] = index;
+  return tapes_.at(ofIteration, there);
 }
 
 Node *Jets::wideIndex(Node *index, long column) {

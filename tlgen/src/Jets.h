@@ -8,10 +8,11 @@
 #ifndef TLGEN_JETS_H
 #define TLGEN_JETS_H
 
-#include "Graph.h"
+#include "Tapes.h"
 
 #include <functional>
 #include <set>
+#include <tuple>
 
 namespace tlgen {
 
@@ -105,13 +106,42 @@ private:
     Tangents t[POWERS];
     bool known[POWERS] = {};
   };
-  // What of a carried value, or of an array's elements, is not always zero.
+  // What of a carried value is not always zero.
   struct Present {
     bool c[POWERS] = {};
     bool t[POWERS] = {};
     std::set<const Direction *, ByNumber> columns[POWERS]; // explicit ones
   };
-  struct Stored { // an array of the source in memory
+  // A coefficient of a carried value, its whole row of tangents, or one explicit column of them.
+  struct Place {
+    size_t carried;
+    int power;
+    bool row;
+    const Direction *column; // null: none
+    bool operator<(const Place &o) const {
+      auto key = [](const Place &p) { return std::make_tuple(p.carried, p.power, p.row, p.column ? p.column->id : -1); };
+      return key(*this) < key(o);
+    }
+  };
+  // What is known of a loop's carried values from one trial of its body to the next. What starts the same is taken for the same until
+  // an iteration is seen to end with a difference.
+  struct Trial {
+    std::vector<Present> present; // by number of the carried value
+    std::set<std::pair<Place, Place>> different;
+    std::map<Place, Place> same;               // to an earlier place
+    std::vector<std::pair<Place, Node *>> own; // places with a number (the Carried node) or row (null) of their own
+    std::map<Place, Tangents> ends;            // of rows, as sums over rows that the iteration began with or has updated
+  };
+  // A part of the tangents of a tape's elements: factor at a column, or times the first columns of a row.
+  struct Part {
+    Node *column; // null for a row
+    Row *row;
+    Node *bound;
+    Node *factor;
+  };
+  struct Stored {          // an array of the source in memory
+    Node *taped = nullptr; // of tapes: their coefficients are made again from this value's
+    std::vector<Part> parts[POWERS];
     Array *c[POWERS] = {};
     Row *rows[POWERS] = {};                                  // general tangents
     std::vector<std::pair<Node *, Array *>> columns[POWERS]; // local ones: column as a function of iteration, and factors
@@ -138,20 +168,30 @@ private:
   void storeBefore(Loop *loop, const Loop *inner);
   void storeWrites(Array *array, Loop *loop);
   void runLoop(Loop *loop);
-  bool tryLoop(Loop *loop, std::vector<Present> &present);
+  bool tryLoop(Loop *loop);
   bool note(Present &present, Node *value, int power);
+  bool noteDifferences(const Loop *loop);
   void forget(const Loop *loop);
   bool innermost(const Loop *loop) const;
-  void startCarried(Loop *loop, size_t k, const Present &present);
+  void startCarried(Loop *loop, size_t k);
+  Node *startNumber(Loop *loop, Place place, Node *init);
+  void startRow(Loop *loop, Place place, const Tangents &init, Info &in);
   void finishCarried(Loop *loop, size_t k);
   const Direction *carriedRow(Loop *loop, size_t k, int power, bool updated);
   Tangents keepUpdated(Loop *loop, size_t k, int power, Tangents sum);
   void finishLoop(Loop *loop, size_t firstUpdate);
   void finishOutput(const JetOutput &output);
+  Node *outputNumber(const JetOutput &output, const Direction *column);
+  Tangents outputRow(const JetOutput &output);
+  Node *number(Node *node, int power, const Direction *column);
+  const Carry *carriedTo(const JetOutput &output, const Term &term) const;
   void finishWrite(Array *array, const Write &write);
   Array *newArray(const Array *like, long length);
   void storeTangents(Stored &stored, Array *array, const Write &write, int power);
   bool storeView(Stored &stored, const Write &write, int power);
+  bool splitTangents(Stored &stored, const Write &write, int power);
+  Node *ownColumns(const Direction *direction, Loop *clone, Tangents &own);
+  Node *tapedAt(const Stored &stored, Node *ofIteration, Node *index);
   void dropUnused();
   void boundUpdates(Loop *clone, size_t firstUpdate);
 
@@ -165,10 +205,13 @@ private:
   const std::vector<JetOutput> *outputs_ = nullptr;
   std::unordered_map<Node *, Info> info_;
   std::map<const Loop *, Loop *> clones_;
+  std::map<const Loop *, Trial> trials_;
   std::map<std::pair<const Loop *, std::pair<size_t, int>>, Row *> carriedRows_; // of new loops
   std::map<Node *, std::pair<Loop *, size_t>> outOf_;                            // end values of the loops under way -> carried
   std::map<const Array *, Stored> stored_;
-  std::set<std::pair<const Array *, size_t>> written_; // writes that are in stored_
+  Tapes tapes_;
+  std::map<std::pair<const Loop *, Node *>, Graph::Replacement> taped_; // by the loop and the iteration there
+  std::set<std::pair<const Array *, size_t>> written_;                  // writes that are in stored_
   std::map<std::string, Direction *> directions_;
   std::deque<Direction> allDirections_;
   std::deque<Row> rows_;

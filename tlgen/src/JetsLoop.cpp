@@ -94,21 +94,24 @@ void Jets::storeWrites(Array *array, Loop *loop) {
 // The loop anew. A coefficient of a carried value is there where it is not zero at first or after an iteration: taken for absent until
 // it is seen.
 void Jets::runLoop(Loop *loop) {
-  std::vector<Present> present(loop->carried.size());
-  for (size_t k = 0; k < present.size(); ++k) {
-    if (!needed_->has(loop, k)) continue;
-    for (int p = 0; p < powers_; ++p) note(present[k], loop->carried[k].init, p);
-  }
+  Trial &trial = trials_[loop] = Trial();
+  trial.present.resize(loop->carried.size());
+  for (size_t k = 0; k < loop->carried.size(); ++k)
+    for (int p = 0; needed_->has(loop, k) && p < powers_; ++p) note(trial.present[k], loop->carried[k].init, p);
   std::vector<size_t> writes;
   for (const Array &array : graph_.arrays()) writes.push_back(array.writes.size());
   auto stored = stored_;
   auto written = written_;
+  auto tapes = tapes_;
+  auto taped = taped_;
   size_t updates = updates_.size();
-  while (!tryLoop(loop, present)) {
+  while (!tryLoop(loop)) {
     size_t k = 0;
     for (const Array &array : graph_.arrays()) const_cast<Array &>(array).writes.resize(k < writes.size() ? writes[k] : 0), ++k;
     stored_ = stored;
     written_ = written;
+    tapes_ = tapes;
+    taped_ = taped;
     updates_.resize(updates);
   }
 }
@@ -132,28 +135,44 @@ void Jets::forget(const Loop *loop) {
   }
 }
 
-bool Jets::tryLoop(Loop *loop, std::vector<Present> &present) {
+bool Jets::tryLoop(Loop *loop) {
   forget(loop);
+  Trial &trial = trials_.at(loop);
+  trial.same.clear();
+  trial.own.clear();
+  trial.ends.clear();
+  const size_t count = loop->carried.size();
   Loop *clone = graph_.loop(loop->outer ? clones_.at(loop->outer) : nullptr, loop->trips ? value(loop->trips) : nullptr, loop->down);
   clones_[loop] = clone;
   size_t firstUpdate = updates_.size();
-  for (size_t k = 0; k < present.size(); ++k)
-    if (needed_->has(loop, k)) startCarried(loop, k, present[k]);
+  for (size_t k = 0; k < count; ++k)
+    if (needed_->has(loop, k)) startCarried(loop, k);
   if (loop->condition) clone->condition = value(loop->condition);
   runRegion(loop);
   bool complete = true;
-  for (size_t k = 0; k < present.size(); ++k)
+  for (size_t k = 0; k < count; ++k)
     for (int p = 0; needed_->has(loop, k) && p < powers_; ++p)
-      if (note(present[k], loop->carried[k].out, p)) complete = false;
-  if (!complete) {
-    for (size_t k = 0; k < present.size(); ++k) outOf_.erase(loop->carried[k].out);
-    return false;
-  }
-  for (size_t k = 0; k < present.size(); ++k)
+      if (note(trial.present[k], loop->carried[k].out, p)) complete = false;
+  if (noteDifferences(loop)) complete = false;
+  for (size_t k = 0; complete && k < count; ++k)
     if (needed_->has(loop, k)) finishCarried(loop, k);
-  for (size_t k = 0; k < present.size(); ++k) outOf_.erase(loop->carried[k].out);
-  finishLoop(loop, firstUpdate);
-  return true;
+  for (size_t k = 0; k < count; ++k) outOf_.erase(loop->carried[k].out);
+  if (complete) finishLoop(loop, firstUpdate);
+  return complete;
+}
+
+// True where something that was taken for the same as something else is not.
+bool Jets::noteDifferences(const Loop *loop) {
+  Trial &trial = trials_.at(loop);
+  auto row = [&](const Place &place) {
+    auto end = trial.ends.find(place);
+    return end == trial.ends.end() ? tangents(loop->carried[place.carried].out, place.power) : end->second;
+  };
+  auto end = [&](const Place &place) { return number(loop->carried[place.carried].out, place.power, place.column); };
+  bool found = false;
+  for (auto &[place, other] : trial.same)
+    if (place.row ? row(place) != row(other) : end(place) != end(other)) found = trial.different.insert({place, other}).second || found;
+  return found;
 }
 
 void Jets::finishLoop(Loop *loop, size_t firstUpdate) {
@@ -168,29 +187,53 @@ void Jets::finishLoop(Loop *loop, size_t firstUpdate) {
 }
 
 // The carried value as an iteration finds it.
-void Jets::startCarried(Loop *loop, size_t k, const Present &present) {
+void Jets::startCarried(Loop *loop, size_t k) {
   const Carry carry = loop->carried[k];
-  Loop *clone = clones_.at(loop);
+  const Present &present = trials_.at(loop).present[k];
   Info in;
   for (int p = 0; p < powers_; ++p) {
     Node *init = coefficient(carry.init, p);
-    in.c[p] = p == 0 || present.c[p] ? graph_.carry(clone, init) : graph_.number(0);
+    in.c[p] = p == 0 || present.c[p] ? startNumber(loop, {k, p, false, nullptr}, init) : graph_.number(0);
     const Tangents start = tangents(carry.init, p);
-    if (explicit_) {
-      for (const Direction *d : present.columns[p]) {
-        auto found = start.find(d);
-        in.t[p][d] = graph_.carry(clone, found == start.end() ? graph_.number(0) : found->second);
-      }
-    } else if (present.t[p]) {
-      Row *row = &rows_.emplace_back(Row{int(rows_.size()), "row", 1, clone, false, false});
-      carriedRows_[{clone, {k, p}}] = row;
-      if (!start.empty()) updates_.push_back({clone, row, nullptr, false, true, nullptr, nullptr, start});
-      in.t[p][carriedRow(loop, k, p, false)] = graph_.number(1);
+    for (const Direction *d : present.columns[p]) {
+      auto found = start.find(d);
+      in.t[p][d] = startNumber(loop, {k, p, false, d}, found == start.end() ? graph_.number(0) : found->second);
     }
+    if (!explicit_ && present.t[p]) startRow(loop, {k, p, true, nullptr}, start, in);
     in.known[p] = true;
   }
   info_[carry.in] = in;
   if (!explicit_ && innermost(loop)) outOf_.emplace(carry.out, std::make_pair(loop, k));
+}
+
+Node *Jets::startNumber(Loop *loop, Place place, Node *init) {
+  Trial &trial = trials_.at(loop);
+  for (auto &[own, in] : trial.own) {
+    if (own.row || trial.different.count({place, own}) || in->of->carried[size_t(in->which)].init != init) continue;
+    trial.same.insert({place, own});
+    return in;
+  }
+  return trial.own.emplace_back(place, graph_.carry(clones_.at(loop), init)).second;
+}
+
+void Jets::startRow(Loop *loop, Place place, const Tangents &init, Info &in) {
+  Trial &trial = trials_.at(loop);
+  Loop *clone = clones_.at(loop);
+  Row *&row = carriedRows_[{clone, {place.carried, place.power}}];
+  row = nullptr;
+  for (auto &[own, none] : trial.own) {
+    if (!own.row || trial.different.count({place, own})) continue;
+    if (tangents(loop->carried[own.carried].init, own.power) != init) continue;
+    trial.same.insert({place, own});
+    row = carriedRows_.at({clone, {own.carried, own.power}});
+    break;
+  }
+  if (!row) {
+    trial.own.emplace_back(place, nullptr);
+    row = &rows_.emplace_back(Row{int(rows_.size()), "row", 1, clone, false, false});
+    if (!init.empty()) updates_.push_back({clone, row, nullptr, false, true, nullptr, nullptr, init});
+  }
+  in.t[place.power][carriedRow(loop, place.carried, place.power, false)] = graph_.number(1);
 }
 
 bool Jets::innermost(const Loop *loop) const {
@@ -216,7 +259,16 @@ Tangents Jets::keepUpdated(Loop *loop, size_t k, int power, Tangents sum) {
     else if (direction != own || !factor->is(1))
       ++others;
   if (!others) return sum;
-  updates_.push_back({clones_.at(loop), own->row, nullptr, false, false, nullptr, nullptr, sum});
+  Trial &trial = trials_.at(loop);
+  const Place place = {k, power, true, nullptr};
+  trial.ends[place] = sum;
+  auto same = trial.same.find(place);
+  if (same == trial.same.end()) {
+    updates_.push_back({clones_.at(loop), own->row, nullptr, false, false, nullptr, nullptr, sum});
+  } else {
+    auto end = trial.ends.find(same->second);
+    if (end == trial.ends.end() || end->second != sum) return sum; // different, or later updated
+  }
   columns[carriedRow(loop, k, power, true)] = graph_.number(1);
   return columns;
 }
@@ -233,7 +285,8 @@ void Jets::finishCarried(Loop *loop, size_t k) {
         graph_.setOut(carried, found == out.end() ? graph_.number(0) : found->second);
       }
     } else if (const Direction *own = carriedRow(loop, k, p, true)) {
-      if (!out.count(own)) updates_.push_back({clones_.at(loop), own->row, nullptr, false, false, nullptr, nullptr, out});
+      if (!trials_.at(loop).same.count({k, p, true, nullptr}) && !out.count(own))
+        updates_.push_back({clones_.at(loop), own->row, nullptr, false, false, nullptr, nullptr, out});
     }
   }
 }
@@ -242,6 +295,12 @@ void Jets::finishWrite(Array *array, const Write &write) {
   bool several = array->writes.size() > 1 || array->summed;
   Stored &stored = stored_[array];
   stored.loop = write.loop ? clones_.at(write.loop) : nullptr;
+  if (array->tape) {
+    stored.taped = write.value;
+    for (int p = 0; p < powers_; ++p)
+      if (!splitTangents(stored, write, p)) storeTangents(stored, array, write, p);
+    return;
+  }
   for (int p = 0; p < powers_; ++p) {
     Node *c = coefficient(write.value, p);
     if (p == 0 || !c->is(0) || (several && !array->summed)) {
@@ -292,6 +351,57 @@ void Jets::storeTangents(Stored &stored, Array *array, const Write &write, int p
   updates_.push_back({stored.loop, stored.rows[power], index, array->summed, false, nullptr, nullptr, t});
 }
 
+// The tangents of a tape's elements as columns of the iteration's own and as first columns of rows that iterations only add columns of
+// their own to. False where they are not of this kind.
+bool Jets::splitTangents(Stored &stored, const Write &write, int power) {
+  Loop *clone = stored.loop;
+  Tangents columns;
+  std::vector<Part> parts;
+  auto addColumn = [&](const Direction *d, Node *factor) {
+    Node *&sum = columns[d];
+    sum = sum ? graph_.add(sum, factor) : factor;
+  };
+  for (auto &[direction, factor] : tangents(write.value, power)) {
+    long f, o;
+    if (direction->column) {
+      if (!explicit_ && !linear(direction->column, clone, f, o)) return false;
+      addColumn(direction, factor);
+      continue;
+    }
+    Tangents own;
+    Node *bound = clone->down ? nullptr : ownColumns(direction, clone, own);
+    if (!bound) return false;
+    parts.push_back({nullptr, direction->row, bound, factor});
+    for (auto &[column, first] : own) addColumn(column, graph_.neg(graph_.mul(factor, first)));
+  }
+  for (auto &[direction, factor] : columns)
+    if (!factor->is(0)) parts.push_back({direction->column, nullptr, nullptr, factor});
+  stored.parts[power] = std::move(parts);
+  return true;
+}
+
+// The columns that an iteration adds to a carried row, where it does nothing else to it and each iteration has other ones: the row
+// keeps what it was, and the result is the end of its columns after an iteration. Null where it is not so.
+Node *Jets::ownColumns(const Direction *direction, Loop *clone, Tangents &own) {
+  const Row *row = direction->row;
+  if (direction->updated || row->carriedBy != clone) return nullptr;
+  Fresh all;
+  for (const RowUpdate &update : updates_) {
+    if (update.row != row) continue;
+    if (update.before || !own.empty()) return nullptr;
+    for (auto &[other, factor] : update.sum) {
+      if (other->column) {
+        all.add(other->column, clone);
+        own[other] = factor;
+      } else if (other->row != row || !factor->is(1)) {
+        return nullptr;
+      }
+    }
+  }
+  if (!all.any || !all.regular || all.factor <= all.last - all.first) return nullptr;
+  return graph_.affine(all.last + 1, {{clone, all.factor}});
+}
+
 // A carried row that iterations only add columns of their own to need not be kept for each: an earlier state is its first columns.
 bool Jets::storeView(Stored &stored, const Write &write, int power) {
   Loop *clone = stored.loop;
@@ -328,26 +438,101 @@ bool Jets::storeView(Stored &stored, const Write &write, int power) {
   return true;
 }
 
+// What the term is the end value of in each iteration; null where it is none.
+const Carry *Jets::carriedTo(const JetOutput &output, const Term &term) const {
+  if (!output.loop) return nullptr;
+  for (const Carry &carry : output.loop->carried)
+    if (carry.out == term.value) return &carry;
+  return nullptr;
+}
+
+// A coefficient, or where a column is given that of its tangents.
+Node *Jets::number(Node *node, int power, const Direction *column) {
+  if (!column) return coefficient(node, power);
+  const Tangents &t = tangents(node, power);
+  auto found = t.find(column);
+  return found == t.end() ? graph_.number(0) : found->second;
+}
+
+// Sums that iterations carry on, and that the output takes together, are carried as one.
+Node *Jets::outputNumber(const JetOutput &output, const Direction *column) {
+  Node *sum = graph_.number(0), *start = sum, *change = sum, *rest = sum;
+  size_t carried = 0;
+  for (const Term &term : output.terms) {
+    auto scaled = [&](Node *n) { return graph_.scale(term.factor, n); };
+    Node *end = number(term.value, term.power, column);
+    sum = graph_.add(sum, scaled(end));
+    const Carry *carry = carriedTo(output, term);
+    Node *in = carry ? number(carry->in, term.power, column) : nullptr;
+    std::vector<Graph::Scaled> parts;
+    bool accumulates = in && in->op == Node::Carried && Graph::terms(end, 1, parts) &&
+                       std::any_of(parts.begin(), parts.end(), [&](const Graph::Scaled &p) { return p.rest == in && p.factor == 1; });
+    if (accumulates) {
+      ++carried;
+      start = graph_.add(start, scaled(in->of->carried[size_t(in->which)].init));
+      change = graph_.add(change, scaled(graph_.sub(end, in)));
+    } else {
+      rest = graph_.add(rest, scaled(end));
+    }
+  }
+  if (carried < 2) return sum;
+  Node *in = graph_.carry(clones_.at(output.loop), start), *out = graph_.add(in, change);
+  graph_.setOut(in, out);
+  return graph_.add(out, rest);
+}
+
+// The same for rows of tangents.
+Tangents Jets::outputRow(const JetOutput &output) {
+  Tangents sum, change, rest;
+  size_t carried = 0;
+  for (const Term &term : output.terms) {
+    Node *factor = graph_.number(term.factor);
+    Tangents end = tangents(term.value, term.power);
+    accumulate(sum, factor, end);
+    const Carry *carry = carriedTo(output, term);
+    const size_t k = carry ? size_t(carry - output.loop->carried.data()) : 0;
+    const Direction *own = carry ? carriedRow(output.loop, k, term.power, false) : nullptr;
+    if (own) {
+      auto raw = trials_.at(output.loop).ends.find({k, term.power, true, nullptr});
+      if (raw != trials_.at(output.loop).ends.end()) end = raw->second;
+    }
+    if (own && end.count(own) && end.at(own)->is(1) && tangents(carry->init, term.power).empty()) {
+      ++carried;
+      end.erase(own);
+      accumulate(change, factor, end);
+    } else {
+      accumulate(rest, factor, tangents(term.value, term.power));
+    }
+  }
+  if (carried < 2) return sum;
+  Loop *clone = clones_.at(output.loop);
+  Row *row = &rows_.emplace_back(Row{int(rows_.size()), "row", 1, clone, false, false});
+  for (auto &[direction, factor] : change)
+    if (direction->column) rest[direction] = rest.count(direction) ? graph_.add(rest[direction], factor) : factor;
+  change[direction({0, nullptr, row, nullptr, nullptr, false})] = graph_.number(1);
+  rest[direction({0, nullptr, row, nullptr, nullptr, true})] = graph_.number(1);
+  updates_.push_back({clone, row, nullptr, false, false, nullptr, nullptr, change});
+  return rest;
+}
+
 void Jets::finishOutput(const JetOutput &output) {
   Loop *clone = output.loop ? clones_.at(output.loop) : nullptr;
   Node *index = value(output.index);
   if (output.scalar) {
-    Node *sum = graph_.number(0);
-    for (const Term &term : output.terms) sum = graph_.add(sum, graph_.scale(term.factor, coefficient(term.value, term.power)));
+    Node *sum = outputNumber(output, nullptr);
     if (!output.scalar->summed || !sum->is(0)) graph_.write(output.scalar, clone, index, sum);
   }
   if (!output.row && !output.matrix) return;
-  Tangents sum;
-  for (const Term &term : output.terms) accumulate(sum, graph_.number(term.factor), tangents(term.value, term.power));
   if (output.row) {
-    updates_.push_back({clone, output.row, index, output.row->summed, false, output.upper ? index : nullptr, nullptr, sum});
+    updates_.push_back(
+        {clone, output.row, index, output.row->summed, false, output.upper ? index : nullptr, nullptr, outputRow(output)});
     return;
   }
   for (long j = 0; j < columns_; ++j) {
-    auto found = sum.find(column(graph_.integer(j)));
     if (output.upper && index->isConstant() && j < index->offset) continue;
-    if (output.matrix->summed && found == sum.end()) continue;
-    graph_.write(output.matrix, clone, wideIndex(index, j), found == sum.end() ? graph_.number(0) : found->second);
+    Node *sum = outputNumber(output, column(graph_.integer(j)));
+    if (output.matrix->summed && sum->is(0)) continue;
+    graph_.write(output.matrix, clone, wideIndex(index, j), sum);
   }
 }
 

@@ -2,6 +2,7 @@
 #include "Reverse.h"
 
 #include "Order.h"
+#include "Tapes.h"
 
 namespace tlgen {
 namespace {
@@ -27,7 +28,7 @@ bool differentiable(const Node *node) {
 class Sweep {
 public:
   Sweep(Graph &graph, const std::vector<Seed> &seeds, const std::set<const Slot *> &wanted)
-      : graph_(graph), seeds_(seeds), wanted_(wanted), needed_(values(seeds)) {
+      : graph_(graph), seeds_(seeds), wanted_(wanted), needed_(values(seeds)), tapes_(graph) {
     findVaried();
   }
 
@@ -45,7 +46,7 @@ private:
     Region *outer;
     std::unordered_map<Node *, Node *> adjoint;    // of the forward loop's own nodes
     std::map<int, std::pair<Node *, Node *>> sums; // by number: nodes of outer loops, and what an iteration adds to their adjoints
-    Graph::Replacement at;                         // nodes of the forward loop in the backward one
+    Graph::Replacement at;                         // nodes of the forward loops in the backward ones
   };
 
   static std::vector<Node *> values(const std::vector<Seed> &seeds) {
@@ -104,86 +105,10 @@ private:
   }
 
   // A value of the forward sweep as the backward loop sees it.
-  Node *at(Node *node) {
-    if (!node->loop) return node;
-    auto known = region_->at.find(node);
-    if (known != region_->at.end()) return known->second;
-    Node *here;
-    if (mustTape(node)) {
-      here = graph_.read(tape(node), place(node->loop, true));
-    } else if (node->op == Node::Affine) {
-      here = graph_.replace(node, indices());
-    } else {
-      std::vector<Node *> args;
-      for (Node *arg : node->args) args.push_back(at(arg));
-      Graph::Making making(graph_, guardAt(node->guard), node->loc);
-      here = graph_.rebuild(node, std::move(args));
-    }
-    return region_->at[node] = here;
-  }
+  Node *at(Node *node) { return tapes_.at(node, region_->at); }
 
   const Guard *guardAt(const Guard *guard) {
     return graph_.remade(guard, [this](Node *node) { return at(node); });
-  }
-
-  // The iteration numbers of the forward loops as those of the backward ones.
-  Graph::Replacement &indices() {
-    indices_.clear();
-    for (Region *r = region_; r->forward; r = r->outer) indices_[r->forward->index] = r->backward->index;
-    return indices_;
-  }
-
-  // Values that depend on what iterations carry are kept where making them again takes a function.
-  bool mustTape(Node *node, bool all = true) {
-    if (!node->loop) return false;
-    if (node->op == Node::Carried || node->op == Node::Final || (node->op == Node::Read && node->array->home)) return true;
-    if (!all) return false;
-    if (!followsCarried(node)) return false;
-    if (node->op == Node::Math || node->op == Node::Recip || node->op == Node::Taylor) return true;
-    return isCarriedOut(node);
-  }
-
-  bool isCarriedOut(const Node *node) const {
-    for (const Carry &carry : node->loop->carried)
-      if (carry.out == node) return true;
-    return false;
-  }
-
-  bool followsCarried(Node *node) {
-    auto known = follows_.find(node);
-    if (known != follows_.end()) return known->second;
-    bool result = mustTape(node, false);
-    for (Node *arg : node->args)
-      if (!result) result = followsCarried(arg);
-    return follows_[node] = result;
-  }
-
-  // The array that holds the value of node in every iteration of its loops.
-  Array *tape(Node *node) {
-    Array *&tape = tapes_[node];
-    if (!tape) {
-      tape = graph_.array("tape", extent(node->loop));
-      graph_.write(tape, node->loop, place(node->loop, false), node);
-    }
-    return tape;
-  }
-
-  // Iterations at most, of the loop and those around it together.
-  static long extent(const Loop *loop) { return loop ? most(loop->trips) * extent(loop->outer) : 1; }
-
-  static long most(const Node *count) {
-    long sum = count->offset;
-    for (auto &[loop, factor] : count->terms)
-      if (factor > 0) sum += factor * (most(loop->trips) - 1);
-    return sum;
-  }
-
-  // The place of the present iteration in a tape.
-  Node *place(Loop *loop, bool backward) {
-    Node *index = loop->index;
-    if (loop->outer)
-      index = graph_.integerOp("+", graph_.integerOp("*", graph_.integer(most(loop->trips)), place(loop->outer, false)), index);
-    return backward ? graph_.replace(index, indices()) : index;
   }
 
   void sweepRegion() {
@@ -319,6 +244,7 @@ private:
     Region inner{loop, nullptr, outer, {}, {}, {}};
     Node *trips = at(loop->trips);
     inner.backward = graph_.loop(outer->backward, trips, !loop->down);
+    for (Region *r = &inner; r->forward; r = r->outer) inner.at[r->forward->index] = r->backward->index;
     std::map<size_t, Node *> in;
     for (size_t k : active) {
       Node *init = finalAdjoint(outer, loop, k);
@@ -360,11 +286,9 @@ private:
   std::unordered_set<const Node *> varied_;
   Region *region_ = nullptr;
   std::map<std::pair<Array *, Loop *>, Array *> arrayAdjoints_; // by the loop in which they are filled
-  std::map<Node *, Array *> tapes_;
-  std::map<Node *, bool> follows_;
+  Tapes tapes_;
   std::unordered_map<Node *, std::vector<std::pair<Array *, const Write *>>> writes_;
   bool writesKnown_ = false;
-  Graph::Replacement indices_;
   Adjoints result_;
 };
 

@@ -1,0 +1,32 @@
+// Values of a loop's iterations as another loop, or what comes after, sees them.
+#ifndef TLGEN_TAPES_H
+#define TLGEN_TAPES_H
+
+#include "Graph.h"
+
+namespace tlgen {
+
+class Tapes {
+public:
+  explicit Tapes(Graph &graph) : graph_(&graph) {}
+
+  // The value of a node of another loop, in the iteration that `there` gives: for the index of each of the node's loops a node here.
+  // Values that depend on what iterations carry are read from a tape where making them again takes a function; all others are made
+  // again from these. there remembers what was made.
+  Node *at(Node *node, Graph::Replacement &there);
+
+private:
+  bool carriedOn(const Node *node) const;
+  bool mustTape(Node *node);
+  bool followsCarried(Node *node);
+  Array *tape(Node *node);
+  Node *place(const Loop *loop);
+
+  Graph *graph_;
+  std::map<Node *, Array *> tapes_;
+  std::map<Node *, bool> follows_;
+};
+
+} // namespace tlgen
+
+#endif
