@@ -1,4 +1,5 @@
-// Frame bounds: the fixed part by the deepest chain of calls, arrays of variable length by the sum over all calls.
+// Frame bounds: the fixed part by the deepest chain of calls; arrays of variable length by the sum over all calls, where a length
+// counts as often as in the call that has it most often.
 #include "FrameBound.h"
 
 #include <algorithm>
@@ -85,6 +86,7 @@ Bound FrameBound::bound(const Variant *v, const Environment &env) {
       diags_.add("vla", program_, array->loc, "'" + array->name + "'");
   }
   long deepest = 0;
+  std::vector<std::string> called;
   for (const auto &call : frame.calls) {
     Environment inner;
     for (size_t i = 0; i < call.first->args.size(); ++i) {
@@ -93,9 +95,12 @@ Bound FrameBound::bound(const Variant *v, const Environment &env) {
     }
     Bound callee = bound(call.second, inner);
     deepest = std::max(deepest, callee.fixed);
-    for (const std::string &t : callee.terms)
-      if (std::find(total.terms.begin(), total.terms.end(), t) == total.terms.end()) total.terms.push_back(t);
+    for (const std::string &t : callee.terms) {
+      auto count = [&](const std::vector<std::string> &in) { return std::count(in.begin(), in.end(), t); };
+      if (count(called) < count(callee.terms)) called.push_back(t);
+    }
   }
+  total.terms.insert(total.terms.end(), called.begin(), called.end());
   total.fixed += deepest;
   stack_.pop_back();
   auto depth = model_.recursion.find(v->function);

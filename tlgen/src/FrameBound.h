@@ -9,7 +9,7 @@ namespace tlgen {
 // A sum of a constant and of C expressions in the model's parameters.
 struct Bound {
   long fixed = 0;
-  std::vector<std::string> terms; // in order, without repetition of their own
+  std::vector<std::string> terms; // in order; one for each array
   std::string text() const;       // "12 + 3*(size_t)p->n"
   bool usesParams() const;
 };

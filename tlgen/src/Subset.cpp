@@ -373,14 +373,18 @@ private:
     }
   }
 
-  // Pointers to the same kind of number, whatever the shape of the arrays between: the layout of jets is the same.
+  // Pointers to the same type but for const, or to the same kind of number, whatever the shape of the arrays between: the layout of
+  // jets is the same.
   static bool sameNumbers(QualType a, QualType b) {
-    auto number = [](QualType pointer) {
-      QualType t = pointer->isPointerType() ? pointer->getPointeeType() : pointer;
+    auto pointee = [](QualType t) { return t->isPointerType() ? t->getPointeeType() : t; };
+    auto number = [&](QualType pointer) {
+      QualType t = pointee(pointer);
       while (const auto *array = t->getAsArrayTypeUnsafe()) t = array->getElementType();
       return t.getCanonicalType().getUnqualifiedType();
     };
-    return number(a) == number(b) && number(a)->isArithmeticType();
+    if (number(a) != number(b)) return false;
+    bool same = pointee(a).getCanonicalType().getUnqualifiedType() == pointee(b).getCanonicalType().getUnqualifiedType();
+    return number(a)->isArithmeticType() || (same && number(a)->isRecordType());
   }
 
   static const char *refusedUnary(const UnaryOperator *op) {

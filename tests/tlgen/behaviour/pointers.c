@@ -51,6 +51,7 @@ double lagrangian(const double *q, const double *qd, double t)
     i->a = q[k] * qd[k];
     (*i).b = t + k;
   }
+  for (const struct item *c = items; c < items + 3 && items + 3 > c; c++) L += c->a * c->a;
   L += total(items, i) + total(items + 1, &items[2]) + (i > items ? i[-1].a : 0.0);
   i -= 2;
   *i-- = items[2];

@@ -18,6 +18,17 @@ static double norm(int n, const double *x) {
   return s;
 }
 
+/* The length of the caller's array too, three times. */
+static double mean_square(int n, const double *x) {
+  double copy[n], squares[n], sums[n];
+  for (int i = 0; i < n; i++) {
+    copy[i] = x[i];
+    squares[i] = copy[i] * x[i];
+    sums[i] = squares[i] + (i > 0 ? sums[i - 1] : 0);
+  }
+  return sums[n - 1] / n;
+}
+
 double lagrangian(const double *q, const double *qd, const struct sizes *p) {
   const int n = p->n;
   double w[n], m[p->n][p->n], s = 0;
@@ -29,7 +40,7 @@ double lagrangian(const double *q, const double *qd, const struct sizes *p) {
     for (int j = 0; j < n; j++) row[j] = m[i % n][j] * qd[j];
     row[n] = row[0];
     if (i == 5) break;
-    s += row[n] * row[n - 1];
+    s += row[n] * row[n - 1] * mean_square(p->n, row);
   }
   return s + norm(n, w) * m[0][n - 1];
 }
