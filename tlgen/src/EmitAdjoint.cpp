@@ -47,7 +47,7 @@ public:
     }
     MotionText text;
     if (printed_.empty()) return text;
-    text.source = fits() + definitions_ + description();
+    text.source = fits() + identity() + definitions_ + description();
     text.header = header();
     text.report = report_;
     return text;
@@ -112,6 +112,16 @@ private:
            "_fits(const void *params)\n{\n" + body + "}\n\n";
   }
 
+  // What the functions read where they were made without activity.
+  std::string identity() const {
+    const Identity &identity = last_->identity;
+    if (definitions_.find(identity.name) == std::string::npos) return "";
+    std::string ones;
+    for (long k = 0; k < identity.stride; ++k) ones += (k ? ", [" : "[") + std::to_string(k * identity.stride + k) + "] = 1.0";
+    return "static const tl_real " + identity.name + "[" + std::to_string(identity.stride * identity.stride) + "] = {" + ones +
+           "};\n\n";
+  }
+
   // A constant array and its length as members of the description.
   std::string list(const std::string &type, const std::string &name, const std::vector<std::string> &items, std::string &members,
                    const std::string &member, const std::string &count) const {
@@ -131,6 +141,8 @@ private:
     auto number = [](const std::string &member, long value) { return "  ." + member + " = " + std::to_string(value) + ",\n"; };
     std::string members = number("n", last_->n) + number("m1", last_->m1) + number("m2", last_->m2) + "  .fits = " + name_ +
                           "_fits,\n" + number("work", workspace_);
+    if (last_->autonomous) members += number("autonomous", 1);
+    if (has("simulate") && last_->constantMass()) members += number("constant_mass", 1);
     std::string s = list("eom_site ", "sites", sites, members, "sites", "nsite") +
                     list("char *const ", "parameter", parameters, members, "parameter", "np");
     for (const std::string &function : printed_) members += "  ." + function + " = " + name_ + "_" + function + ",\n";

@@ -4,6 +4,7 @@
 #ifndef TLGEN_EMITADJOINT_H
 #define TLGEN_EMITADJOINT_H
 
+#include "Analyses.h"
 #include "Diagnostics.h"
 
 #include <map>
@@ -18,6 +19,7 @@ struct MotionOptions {
   std::map<std::string, long> sizes;   // integer members of the parameter struct, known when code is generated
   std::vector<std::string> parameters; // members to differentiate by
   Form form = Form::Auto;
+  Analyses analyses;
 };
 
 const std::vector<std::string> &allNeeds();

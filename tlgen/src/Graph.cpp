@@ -43,7 +43,35 @@ const Guard *common(const Guard *a, const Guard *b) {
   return a;
 }
 
+// Values that are there once for a reason other than saving work: other parts compare or index by them.
+bool isSingle(const Node &n) {
+  return n.op != Node::Add && n.op != Node::Mul && n.op != Node::Recip && n.op != Node::Math && n.op != Node::Taylor;
+}
+
 } // namespace
+
+bool isInteger(const Node *n) {
+  switch (n->op) {
+  case Node::Affine:
+  case Node::Integer:
+  case Node::Compare:
+  case Node::Not:
+  case Node::Conjunction:
+  case Node::Disjunction:
+    return true;
+  case Node::Convert:
+    return n->text != "tl_real";
+  case Node::Leaf:
+    return n->slot->integer;
+  case Node::Carried:
+  case Node::Final:
+    return isInteger(n->of->carried[size_t(n->which)].init);
+  case Node::Select:
+    return isInteger(n->args[1]);
+  default:
+    return false;
+  }
+}
 
 Graph::Scaled Graph::scaled(Node *n) {
   if (n->isNumber()) return {n->value, nullptr};
@@ -73,7 +101,7 @@ const Guard *Graph::remade(const Guard *of, const std::function<Node *(Node *)> 
 Node *Graph::make(Node n) {
   std::string key = keyOf(n);
   auto known = known_.find(key);
-  if (known != known_.end()) {
+  if (known != known_.end() && (sharing || isSingle(n))) {
     Node *old = known->second;
     if (!covers(old->guard, guard)) old->guard = common(old->guard, guard);
     return old;
@@ -128,7 +156,7 @@ Node *Graph::add(Node *a, Node *b) {
   if (a->isNumber() && b->isNumber()) return number(a->value + b->value);
   Scaled x = scaled(a), y = scaled(b);
   if (x.rest == y.rest) return scale(x.factor + y.factor, x.rest);
-  if (Node *merged = mergedSum(a, b)) return merged;
+  if (Node *merged = simplifying ? mergedSum(a, b) : nullptr) return merged;
   if (isNegation(a) && isNegation(b)) return neg(add(x.rest, y.rest));
   return plainSum(a, b);
 }
@@ -161,7 +189,7 @@ Node *Graph::mul(Node *a, Node *b) {
   const size_t most = 8;
   factorsOf(x.rest, factors);
   factorsOf(y.rest, factors);
-  if (factors.size() > most) factors = {x.rest, y.rest};
+  if (factors.size() > most || !simplifying) factors = {x.rest, y.rest};
   std::sort(factors.begin(), factors.end(),
             [](const Node *l, const Node *r) { return std::make_pair(rank(l), l->id) < std::make_pair(rank(r), r->id); });
   Node *product = factors[0];

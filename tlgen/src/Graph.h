@@ -123,6 +123,9 @@ struct Array {
   std::vector<Write> writes;
 };
 
+// True for values of integer type, truth values included.
+bool isInteger(const Node *n);
+
 class Graph {
 public:
   // Values. Constants are folded, products keep one Number in front, x*1, x*0, x+0 and double negation go away, products of the same
@@ -163,6 +166,10 @@ public:
   using Replacement = std::unordered_map<Node *, Node *>;
   Node *replace(Node *node, Replacement &by);
   Node *rebuild(Node *node, std::vector<Node *> args); // the same operation on other arguments
+
+  // Off: values made from now on are not looked up among those that are there (loops, inputs and integers are), or left as they are
+  // asked for but for constants that are folded.
+  bool sharing = true, simplifying = true;
 
   // What new nodes are made for.
   const Guard *guard = nullptr;

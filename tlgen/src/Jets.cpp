@@ -3,8 +3,10 @@
 
 namespace tlgen {
 
-Jets::Jets(Graph &graph, std::function<LeafJet(Node *)> inputs, int powers, long columns, bool explicitColumns)
-    : graph_(graph), inputs_(std::move(inputs)), powers_(powers), columns_(columns), explicit_(explicitColumns), tapes_(graph) {}
+Jets::Jets(Graph &graph, std::function<LeafJet(Node *)> inputs, int powers, long columns, bool explicitColumns,
+           const Analyses &analyses, const Identity &identity)
+    : graph_(graph), inputs_(std::move(inputs)), powers_(powers), columns_(columns), explicit_(explicitColumns), analyses_(analyses),
+      identity_(identity), tapes_(graph) {}
 
 Row *Jets::row(const std::string &name, long count) {
   return &rows_.emplace_back(Row{int(rows_.size()), name, count, nullptr, false, true});
@@ -129,18 +131,38 @@ void Jets::accumulate(Tangents &sum, Node *factor, const Tangents &t) {
   }
 }
 
+void Jets::seed(Tangents &sum, const Node *leaf, Node *column, Node *factor) {
+  if (!analyses_.activity)
+    seedAnywhere(sum, column, factor);
+  else if (explicit_ ? !column->isConstant() : column->op != Node::Affine)
+    unsuitable_ = leaf;
+  else
+    sum[this->column(column)] = factor;
+}
+
+// In all columns: factor times a row of the identity.
+void Jets::seedAnywhere(Tangents &sum, Node *column, Node *factor) {
+  if (!explicit_) {
+    if (!identityRow_)
+      identityRow_ = &rows_.emplace_back(Row{int(rows_.size()), identity_.name, columns_, nullptr, false, false, identity_.stride});
+    sum[direction({0, nullptr, identityRow_, column, nullptr, false})] = factor;
+    return;
+  }
+  Slot table;
+  table.kind = Slot::Member;
+  table.text = identity_.name + "[%*" + std::to_string(identity_.stride) + " + %]";
+  const Slot *slot = graph_.slot(table);
+  for (long j = 0; j < columns_; ++j)
+    sum[this->column(graph_.integer(j))] = graph_.mul(factor, graph_.leaf(slot, {column, graph_.integer(j)}));
+}
+
 Tangents Jets::computeTangents(Node *node, int power) {
   Tangents sum;
   auto &args = node->args;
   Node *one = graph_.number(1);
   switch (node->op) {
   case Node::Leaf:
-    for (auto &[column, value] : inputs_(value(node)).tangents[power]) {
-      if (explicit_ ? !column->isConstant() : column->op != Node::Affine)
-        unsuitable_ = node;
-      else
-        sum[this->column(column)] = value;
-    }
+    for (auto &[column, factor] : inputs_(value(node)).tangents[power]) seed(sum, node, column, factor);
     return sum;
   case Node::Final:
     return finalTangents(node, power);

@@ -8,6 +8,7 @@
 #ifndef TLGEN_JETS_H
 #define TLGEN_JETS_H
 
+#include "Analyses.h"
 #include "Tapes.h"
 
 #include <functional>
@@ -28,6 +29,14 @@ struct Row {
   Loop *carriedBy; // the loop that carries it, null for tapes and results
   bool summed;     // starts at zero, and updates add
   bool result;     // a result of the function
+  long given = 0;  // numbers between rows of a constant array called name; 0: made by updates
+};
+
+// A constant array that generated code holds, square, its rows stride numbers apart. Without activity the tangents of inputs are its
+// rows and elements: numbers that are not looked at when code is generated.
+struct Identity {
+  std::string name;
+  long stride;
 };
 
 struct Direction {
@@ -43,6 +52,10 @@ struct ByNumber {
   bool operator()(const Direction *a, const Direction *b) const { return a->id < b->id; }
 };
 using Tangents = std::map<const Direction *, Node *, ByNumber>;
+
+struct ById {
+  bool operator()(const Node *a, const Node *b) const { return a->id < b->id; }
+};
 
 // row[index] = or += sum of factor * row + factors at single columns. Updates of a loop's body run in their order, column by column;
 // single columns are added when all of the body's updates are done.
@@ -82,13 +95,14 @@ struct JetOutput {
 
 class Jets {
 public:
-  // inputs: the coefficients of a leaf, of leafs at the same indices.
-  Jets(Graph &graph, std::function<LeafJet(Node *)> inputs, int powers, long columns, bool explicitColumns);
+  // inputs: the coefficients of a leaf, of leafs at the same indices. identity: of so many columns at least.
+  Jets(Graph &graph, std::function<LeafJet(Node *)> inputs, int powers, long columns, bool explicitColumns,
+       const Analyses &analyses = {}, const Identity &identity = {});
 
   Row *row(const std::string &name, long count);
 
-  // Computes the outputs: leaves Writes in their arrays, and updates.
-  void run(const std::vector<JetOutput> &outputs);
+  // Computes the outputs: leaves Writes in their arrays, and updates. besides: values to be computed that no output needs.
+  void run(const std::vector<JetOutput> &outputs, const std::vector<Node *> &besides = {});
 
   // Of values outside of loops, and after run.
   Node *coefficient(Node *node, int power);
@@ -99,6 +113,8 @@ public:
   const Node *unsuitable() const { return unsuitable_; }
 
   const std::vector<RowUpdate> &updates() const { return updates_; }
+  // Values that are to be computed though no output needs them.
+  const std::set<Node *, ById> &kept() const { return kept_; }
 
 private:
   struct Info {
@@ -111,6 +127,10 @@ private:
     bool c[POWERS] = {};
     bool t[POWERS] = {};
     std::set<const Direction *, ByNumber> columns[POWERS]; // explicit ones
+
+    void all(bool tangents) {
+      for (int p = 0; p < POWERS; ++p) c[p] = true, t[p] = tangents;
+    }
   };
   // A coefficient of a carried value, its whole row of tangents, or one explicit column of them.
   struct Place {
@@ -162,6 +182,8 @@ private:
   Tangents finalTangents(Node *node, int power);
   Tangents readTangents(Node *node, int power);
   void accumulate(Tangents &sum, Node *factor, const Tangents &t);
+  void seed(Tangents &sum, const Node *leaf, Node *column, Node *factor);
+  void seedAnywhere(Tangents &sum, Node *column, Node *factor);
   Node *wideIndex(Node *index, long column);
 
   void runRegion(Loop *loop);
@@ -193,6 +215,8 @@ private:
   Node *ownColumns(const Direction *direction, Loop *clone, Tangents &own);
   Node *tapedAt(const Stored &stored, Node *ofIteration, Node *index);
   void dropUnused();
+  void keep(Node *node);
+  void keepAll();
   void boundUpdates(Loop *clone, size_t firstUpdate);
 
   Graph &graph_;
@@ -200,6 +224,9 @@ private:
   int powers_;
   long columns_;
   bool explicit_;
+  Analyses analyses_;
+  Identity identity_;
+  Row *identityRow_ = nullptr;
   const Node *unsuitable_ = nullptr;
   const Needed *needed_ = nullptr;
   const std::vector<JetOutput> *outputs_ = nullptr;
@@ -216,6 +243,7 @@ private:
   std::deque<Direction> allDirections_;
   std::deque<Row> rows_;
   std::vector<RowUpdate> updates_;
+  std::set<Node *, ById> kept_;
 };
 
 } // namespace tlgen

@@ -34,8 +34,8 @@ struct Fresh {
 
 } // namespace
 
-void Jets::run(const std::vector<JetOutput> &outputs) {
-  std::vector<Node *> wanted;
+void Jets::run(const std::vector<JetOutput> &outputs, const std::vector<Node *> &besides) {
+  std::vector<Node *> wanted = besides;
   for (const JetOutput &output : outputs) {
     wanted.push_back(output.index);
     for (const Term &term : output.terms) wanted.push_back(term.value);
@@ -45,8 +45,28 @@ void Jets::run(const std::vector<JetOutput> &outputs) {
   outputs_ = &outputs;
   runRegion(nullptr);
   finishLoop(nullptr, 0);
+  for (Node *node : besides) keep(value(node));
+  if (analyses_.demand)
+    dropUnused();
+  else
+    keepAll();
   needed_ = nullptr;
-  dropUnused();
+}
+
+void Jets::keep(Node *node) {
+  if (node->op != Node::Number && node->op != Node::Affine && node->op != Node::Leaf && !isInteger(node)) kept_.insert(node);
+}
+
+// Without demand: every coefficient of every value.
+void Jets::keepAll() {
+  std::set<Node *, ById> all;
+  for (const Node *node : needed_->nodes())
+    if (!isInteger(node)) all.insert(const_cast<Node *>(node));
+  for (Node *node : all)
+    for (int power = 0; power < powers_; ++power) {
+      keep(coefficient(node, power));
+      for (auto &[direction, factor] : tangents(node, power)) keep(factor);
+    }
 }
 
 // Demand: updates of rows that no result comes from.
@@ -96,8 +116,11 @@ void Jets::storeWrites(Array *array, Loop *loop) {
 void Jets::runLoop(Loop *loop) {
   Trial &trial = trials_[loop] = Trial();
   trial.present.resize(loop->carried.size());
-  for (size_t k = 0; k < loop->carried.size(); ++k)
-    for (int p = 0; needed_->has(loop, k) && p < powers_; ++p) note(trial.present[k], loop->carried[k].init, p);
+  for (size_t k = 0; k < loop->carried.size(); ++k) {
+    if (!needed_->has(loop, k)) continue;
+    for (int p = 0; p < powers_; ++p) note(trial.present[k], loop->carried[k].init, p);
+    if (!analyses_.activity) trial.present[k].all(columns_ > 0);
+  }
   std::vector<size_t> writes;
   for (const Array &array : graph_.arrays()) writes.push_back(array.writes.size());
   auto stored = stored_;
@@ -295,7 +318,7 @@ void Jets::finishWrite(Array *array, const Write &write) {
   bool several = array->writes.size() > 1 || array->summed;
   Stored &stored = stored_[array];
   stored.loop = write.loop ? clones_.at(write.loop) : nullptr;
-  if (array->tape) {
+  if (array->tape && analyses_.recompute) {
     stored.taped = write.value;
     for (int p = 0; p < powers_; ++p)
       if (!splitTangents(stored, write, p)) storeTangents(stored, array, write, p);
@@ -384,7 +407,7 @@ bool Jets::splitTangents(Stored &stored, const Write &write, int power) {
 // keeps what it was, and the result is the end of its columns after an iteration. Null where it is not so.
 Node *Jets::ownColumns(const Direction *direction, Loop *clone, Tangents &own) {
   const Row *row = direction->row;
-  if (direction->updated || row->carriedBy != clone) return nullptr;
+  if (!analyses_.views || direction->updated || row->carriedBy != clone) return nullptr;
   Fresh all;
   for (const RowUpdate &update : updates_) {
     if (update.row != row) continue;
@@ -405,7 +428,7 @@ Node *Jets::ownColumns(const Direction *direction, Loop *clone, Tangents &own) {
 // A carried row that iterations only add columns of their own to need not be kept for each: an earlier state is its first columns.
 bool Jets::storeView(Stored &stored, const Write &write, int power) {
   Loop *clone = stored.loop;
-  if (!clone || clone->outer || clone->down || value(write.index) != clone->index) return false;
+  if (!analyses_.views || !clone || clone->outer || clone->down || value(write.index) != clone->index) return false;
   Row *row = nullptr;
   Fresh columns, all;
   size_t points = 0;

@@ -170,6 +170,7 @@ private:
         if (array != results(part).arrays.end()) phase.arrays.push_back(array->second);
       }
       phase.updates = results(part).updates();
+      phase.kept = results(part).kept();
       all.push_back(phase);
     }
     return all;

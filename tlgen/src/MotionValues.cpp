@@ -1,11 +1,16 @@
 // Traces a model's functions, and finds the members to differentiate by.
 #include "MotionValues.h"
 #include "Order.h"
+#include "Structure.h"
 #include "Trace.h"
+
+#include <algorithm>
 
 namespace tlgen {
 
-MotionValues::MotionValues(const Program &program, const Model &model, const MotionOptions &options, bool inRows) : rows(inRows) {
+MotionValues::MotionValues(const Program &program, const Model &model, const MotionOptions &options, bool inRows)
+    : rows(inRows), analyses(options.analyses) {
+  graph.simplifying = analyses.algebra;
   TraceOptions how;
   how.sizes = options.sizes;
   how.keepLoops = rows;
@@ -17,12 +22,16 @@ MotionValues::MotionValues(const Program &program, const Model &model, const Mot
     if (f.role == Role::Force) equations.force = traced.rows;
     if (f.role == Role::Holonomic) equations.holonomic.push_back(traced.rows);
     if (f.role == Role::Nonholonomic) equations.nonholonomic.push_back(traced.rows);
+    if (!analyses.deadCode) addAssigned(equations, traced.assigned);
   }
   findParameters(model, options);
-  setEquations(std::move(equations));
+  setEquations(std::move(equations), model.name);
 }
 
-MotionValues::MotionValues(std::function<Equations(Graph &)> make, bool inRows) : rows(inRows) { setEquations(make(graph)); }
+MotionValues::MotionValues(std::function<Equations(Graph &)> make, bool inRows, const Analyses &with) : rows(inRows), analyses(with) {
+  graph.simplifying = analyses.algebra;
+  setEquations(make(graph), "model");
+}
 
 // Reverse and Jets take loops side by side, of a number of iterations that is known before they begin.
 void MotionValues::checkLoops(const Equations &equations) {
@@ -44,13 +53,29 @@ void MotionValues::checkLoops(const Equations &equations) {
   }
 }
 
-void MotionValues::setEquations(Equations equations) {
+// What can be computed along with the results: loops as in checkLoops.
+void MotionValues::addAssigned(Equations &equations, const std::vector<Node *> &assigned) const {
+  for (Node *node : assigned) {
+    Needed needed({node});
+    bool suits = !isInteger(node);
+    for (const Loop &loop : graph.loops()) suits = suits && (!needed.has(&loop) || (loop.trips && !loop.outer));
+    if (suits) equations.assigned.push_back(node);
+  }
+}
+
+void MotionValues::setEquations(Equations equations, const std::string &name) {
   checkLoops(equations);
+  autonomous = analyses.time && isAutonomous(equations);
+  graph.sharing = analyses.common;
+  const long columns = std::max(2 * equations.n, long(parameters.size())), lanes = 8;
+  identity = {name + "_identity", (columns + lanes - 1) / lanes * lanes};
   n = equations.n;
   for (const Array *function : equations.holonomic) m1 += function->length;
   for (const Array *function : equations.nonholonomic) m2 += function->length;
-  needs_ = std::make_unique<Needs>(graph, std::move(equations), !rows);
+  needs_ = std::make_unique<Needs>(graph, std::move(equations), !rows, analyses, identity);
 }
+
+bool MotionValues::constantMass() { return analyses.constantMass && isMassConstant(results("simulate")); }
 
 Results &MotionValues::results(const std::string &need) {
   auto known = results_.find(need);

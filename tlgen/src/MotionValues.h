@@ -13,19 +13,25 @@ public:
   // rows: loops are kept and tangents are rows in memory; otherwise all is straight-line. Throws Unsuitable.
   MotionValues(const Program &program, const Model &model, const MotionOptions &options, bool rows);
   // Of functions that are there as values.
-  MotionValues(std::function<Equations(Graph &)> make, bool rows);
+  MotionValues(std::function<Equations(Graph &)> make, bool rows, const Analyses &analyses = {});
 
   // Of a need, computed once. Throws Unsuitable.
   Results &results(const std::string &need);
+  // Proved: no equation depends on t. The mass matrix is the same at all states (of models with simulate).
+  bool autonomous = false;
+  bool constantMass();
 
   const bool rows;
+  const Analyses analyses;
   long n = 0, m1 = 0, m2 = 0;          // coordinates, holonomic and other constraint rows
   std::vector<std::string> parameters; // what is differentiated by, as in "p->mass[2]"
   Graph graph;
+  Identity identity; // what tangents are seeded with, without activity
 
 private:
   void checkLoops(const Equations &equations);
-  void setEquations(Equations equations);
+  void addAssigned(Equations &equations, const std::vector<Node *> &assigned) const;
+  void setEquations(Equations equations, const std::string &name);
   void findParameters(const Model &model, const MotionOptions &options);
 
   std::unique_ptr<Needs> needs_;

@@ -9,8 +9,14 @@ std::vector<RowUpdate> Results::updates() const {
   return all;
 }
 
-Needs::Needs(Graph &graph, Equations equations, bool explicitColumns)
-    : graph_(graph), equations_(std::move(equations)), explicit_(explicitColumns) {
+std::vector<Node *> Results::kept() const {
+  std::vector<Node *> all;
+  for (const auto &part : jets) all.insert(all.end(), part->kept().begin(), part->kept().end());
+  return all;
+}
+
+Needs::Needs(Graph &graph, Equations equations, bool explicitColumns, const Analyses &analyses, const Identity &identity)
+    : graph_(graph), equations_(std::move(equations)), explicit_(explicitColumns), analyses_(analyses), identity_(identity) {
   long m = rowsOf(equations_.holonomic) + rowsOf(equations_.nonholonomic);
   q_ = slot(Slot::Q, equations_.n);
   qd_ = slot(Slot::Qd, equations_.n);
@@ -34,7 +40,7 @@ long Needs::rowsOf(const std::vector<Array *> &functions) const {
 
 const Adjoints &Needs::adjoints() {
   if (!adjoints_) {
-    adjoints_ = std::make_unique<Adjoints>(reverse(graph_, {{equations_.lagrangian, graph_.number(1)}}, {q_, qd_}));
+    adjoints_ = std::make_unique<Adjoints>(reverse(graph_, {{equations_.lagrangian, graph_.number(1)}}, {q_, qd_}, analyses_));
     if (adjoints_->noFormula) noFormula_ = adjoints_->noFormula;
   }
   return *adjoints_;
@@ -51,7 +57,7 @@ const Adjoints &Needs::constraintAdjoints(bool holonomic) {
         seeds.push_back({write.value, graph_.leaf(lambda_, {graph_.integerOp("+", graph_.integer(offset), write.index)})});
       offset += function->length;
     }
-    known = std::make_unique<Adjoints>(reverse(graph_, seeds, {holonomic ? q_ : qd_}));
+    known = std::make_unique<Adjoints>(reverse(graph_, seeds, {holonomic ? q_ : qd_}, analyses_));
     if (known->noFormula) noFormula_ = known->noFormula;
   }
   return *known;
@@ -136,6 +142,11 @@ void Needs::emit(std::vector<JetOutput> &outputs, const Parts &parts, long count
   outputs.insert(outputs.end(), mine.begin(), mine.end());
 }
 
+Jets &Needs::jets(Results &results, std::function<LeafJet(Node *)> inputs, int powers, long columns, bool explicitColumns) {
+  return *results.jets.emplace_back(
+      std::make_unique<Jets>(graph_, std::move(inputs), powers, columns, explicitColumns, analyses_, identity_));
+}
+
 void Needs::addScalar(Results &results, std::vector<JetOutput> &outputs, const std::string &name, const Parts &parts, long count) {
   if (!count) return;
   Target target;
@@ -151,19 +162,19 @@ void Needs::addMatrix(Results &results, Jets &jets, std::vector<JetOutput> &outp
     target.matrix = results.arrays[name] = graph_.array(name, count * columns);
   else
     target.row = results.rows[name] = jets.row(name, count);
-  emit(outputs, parts, count, target, upper);
+  emit(outputs, parts, count, target, upper && analyses_.demand);
 }
 
 Results Needs::energy() {
   Results results;
   auto fixed = [](Node *) { return LeafJet(); };
-  auto &jets = results.jets.emplace_back(std::make_unique<Jets>(graph_, fixed, 1, 0, true));
+  Jets &values = jets(results, fixed, 1, 0, true);
   std::vector<JetOutput> outputs;
   Parts momentum;
   collect(momentum, adjoints(), qd_, 0, 1);
   addScalar(results, outputs, "momentum", momentum, equations_.n);
   addScalar(results, outputs, "lagrangian", {{nullptr, graph_.integer(0), {equations_.lagrangian, 0, 1}}}, 1);
-  jets->run(outputs);
+  values.run(outputs, equations_.assigned);
   return results;
 }
 
@@ -181,23 +192,23 @@ Results Needs::simulate() {
   };
   auto velocities = [=](Node *leaf) { return curve(leaf, Slot::Qd); };
   auto coordinates = [=](Node *leaf) { return curve(leaf, Slot::Q); };
-  auto &jets = results.jets.emplace_back(std::make_unique<Jets>(graph_, velocities, 2, n, explicit_));
+  Jets &rates = jets(results, velocities, 2, n, explicit_);
   std::vector<JetOutput> outputs;
   Parts momentum, force, psi, b;
   collect(momentum, adjoints(), qd_, 0, 1);
   collect(force, adjoints(), q_, 0, 1);
   collect(force, adjoints(), qd_, 1, -1);
   if (equations_.force) collect(force, equations_.force, 0, 1, 0);
-  addMatrix(results, *jets, outputs, "M", momentum, n, n, explicit_, true);
+  addMatrix(results, rates, outputs, "M", momentum, n, n, explicit_, true);
   addScalar(results, outputs, "Q", force, n);
   collect(psi, equations_.nonholonomic, 0, 1, 0);
   collect(b, equations_.nonholonomic, 1, -1, 0);
   addScalar(results, outputs, "psi", psi, m2);
   addScalar(results, outputs, "b_psi", b, m2);
-  addMatrix(results, *jets, outputs, "A_psi", psi, m2, n, explicit_);
-  jets->run(outputs);
+  addMatrix(results, rates, outputs, "A_psi", psi, m2, n, explicit_);
+  rates.run(outputs, equations_.assigned);
   if (m1) {
-    auto &along = results.jets.emplace_back(std::make_unique<Jets>(graph_, coordinates, 3, n, explicit_));
+    Jets &along = jets(results, coordinates, 3, n, explicit_);
     std::vector<JetOutput> rows;
     Parts phi, first, second;
     collect(phi, equations_.holonomic, 0, 1, 0);
@@ -206,8 +217,8 @@ Results Needs::simulate() {
     addScalar(results, rows, "phi", phi, m1);
     addScalar(results, rows, "phi_dot", first, m1);
     addScalar(results, rows, "b_phi", second, m1);
-    addMatrix(results, *along, rows, "A_phi", phi, m1, n, explicit_);
-    along->run(rows);
+    addMatrix(results, along, rows, "A_phi", phi, m1, n, explicit_);
+    along.run(rows);
   }
   return results;
 }
@@ -225,10 +236,10 @@ LeafJet Needs::motion(Node *leaf) {
 
 Results Needs::residual() {
   Results results;
-  auto &jets = results.jets.emplace_back(std::make_unique<Jets>(graph_, [this](Node *leaf) { return motion(leaf); }, 2, 0, true));
+  Jets &curve = jets(results, [this](Node *leaf) { return motion(leaf); }, 2, 0, true);
   std::vector<JetOutput> outputs;
   addScalar(results, outputs, "r", residualParts(false), equations_.n);
-  jets->run(outputs);
+  curve.run(outputs, equations_.assigned);
   return results;
 }
 
@@ -236,11 +247,11 @@ Results Needs::residual() {
 Results Needs::derivatives(const std::string &suffix, std::function<LeafJet(Node *)> inputs, long columns, bool explicitColumns) {
   Results results;
   long m1 = rowsOf(equations_.holonomic), m2 = rowsOf(equations_.nonholonomic);
-  auto &jets = results.jets.emplace_back(std::make_unique<Jets>(graph_, std::move(inputs), m1 ? 3 : 2, columns, explicitColumns));
+  Jets &curve = jets(results, std::move(inputs), m1 ? 3 : 2, columns, explicitColumns);
   std::vector<JetOutput> outputs;
-  addMatrix(results, *jets, outputs, "r_" + suffix, residualParts(true), equations_.n, columns, explicitColumns);
-  addMatrix(results, *jets, outputs, "g_" + suffix, constraintParts(), m1 + m2, columns, explicitColumns);
-  jets->run(outputs);
+  addMatrix(results, curve, outputs, "r_" + suffix, residualParts(true), equations_.n, columns, explicitColumns);
+  addMatrix(results, curve, outputs, "g_" + suffix, constraintParts(), m1 + m2, columns, explicitColumns);
+  curve.run(outputs, equations_.assigned);
   return results;
 }
 

@@ -18,6 +18,7 @@ struct Equations {
   Node *lagrangian = nullptr;
   Array *force = nullptr;                       // null: none
   std::vector<Array *> holonomic, nonholonomic; // one per function
+  std::vector<Node *> assigned;                 // to be computed though no result needs them
 };
 
 // The numbers of a need, by name: M Q phi phi_dot b_phi A_phi psi b_psi A_psi; r; r_y g_y; r_w g_w; r_p g_p; momentum lagrangian.
@@ -28,6 +29,7 @@ struct Results {
   std::vector<std::unique_ptr<Jets>> jets;
 
   std::vector<RowUpdate> updates() const;
+  std::vector<Node *> kept() const; // computed though nothing needs them
 };
 
 // A member of the parameter struct to differentiate by: column of its first element.
@@ -39,7 +41,7 @@ struct ParameterColumns {
 class Needs {
 public:
   // explicitColumns: tangents as one value per column; otherwise as rows in memory.
-  Needs(Graph &graph, Equations equations, bool explicitColumns);
+  Needs(Graph &graph, Equations equations, bool explicitColumns, const Analyses &analyses, const Identity &identity);
 
   Results energy();    // momentum, lagrangian
   Results simulate();  // M (its upper triangle), Q, phi, phi_dot, b_phi, A_phi, psi, b_psi, A_psi
@@ -74,6 +76,7 @@ private:
   Parts constraintParts();
   void emit(std::vector<JetOutput> &outputs, const Parts &parts, long count, Target target, bool upper);
   bool separate(const std::vector<JetOutput> &outputs, long count, std::vector<bool> &covered) const;
+  Jets &jets(Results &results, std::function<LeafJet(Node *)> inputs, int powers, long columns, bool explicitColumns);
   void addScalar(Results &results, std::vector<JetOutput> &outputs, const std::string &name, const Parts &parts, long count);
   void addMatrix(Results &results, Jets &jets, std::vector<JetOutput> &outputs, const std::string &name, const Parts &parts, long count,
                  long columns, bool explicitColumns, bool upper = false);
@@ -83,6 +86,8 @@ private:
   Graph &graph_;
   Equations equations_;
   bool explicit_;
+  Analyses analyses_;
+  Identity identity_;
   const Slot *q_, *qd_, *t_, *qdd_, *lambda_;
   std::unique_ptr<Adjoints> adjoints_, constraintAdjoints_[2];
   const Node *noFormula_ = nullptr;

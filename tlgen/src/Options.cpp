@@ -10,7 +10,7 @@
 namespace tlgen {
 namespace {
 
-const char *const help =
+const char *const helpOfModels =
     R"(usage: tlgen [options] SOURCE.c [SOURCE.c ..] [-- compiler arguments]
        tlgen --models FILE [options] [-- compiler arguments]
 
@@ -41,7 +41,10 @@ Motion functions (eom/motion.h): fast ones for the runtime, at sizes that are kn
   --parameter MEMBER,..  the members of the parameter struct that 'parameters' differentiates by
   --form FORM            registers: straight-line code; rows: loops as in the source; auto (default): what is faster
   --report               print on stdout what each of these functions costs
+  --without ANALYSIS,..  switch off an analysis that leaves work out, to see what it is worth; the numbers stay the same
+)";
 
+const char *const helpOfFiles = R"(
 Output
   -o FILE.c              where to write (default: SOURCE_tl.c); FILE.h is written beside it
   -MD                    also write FILE.c.d, a make rule of all files that were read
@@ -68,6 +71,13 @@ Example
 Then compile pendulum_tl.c with your program, include pendulum_tl.h, and hand pendulum_model to the runtime.
 Exit status: 0 written, 1 the source was refused (nothing is written), 2 wrong usage.
 )";
+
+std::string help() {
+  std::string s = helpOfModels;
+  for (const Analysis &a : allAnalyses())
+    s += "                         " + std::string(a.name) + std::string(14 - std::string(a.name).size(), ' ') + a.off + "\n";
+  return s + helpOfFiles;
+}
 
 std::string place; // of the line that is being read, in a file of models
 
@@ -157,6 +167,22 @@ bool setForm(Options &o, const std::string &text) {
   return o.motion.form = form->second, true;
 }
 
+bool switchOff(Options &o, const std::string &text) {
+  std::vector<std::string> given = items(text);
+  if (given.empty()) return usageError("--without wants a list such as activity,views");
+  for (const std::string &name : given) {
+    const auto &all = allAnalyses();
+    auto analysis = std::find_if(all.begin(), all.end(), [&](const Analysis &a) { return a.name == name; });
+    if (analysis == all.end()) {
+      std::string names;
+      for (const Analysis &a : all) names += (names.empty() ? "" : ", ") + std::string(a.name);
+      return usageError("--without: '" + name + "' is no analysis; the analyses are " + names);
+    }
+    o.motion.analyses.*(analysis->on) = false;
+  }
+  return true;
+}
+
 bool setOnce(std::string &slot, const std::string &name, const std::string &value) {
   if (!slot.empty()) return usageError(name + " is given twice");
   if (value.empty()) return usageError(name + " is empty");
@@ -180,6 +206,7 @@ bool setOption(Options &o, Run *run, const std::string &name, const std::string 
   if (name == "--size") return addSize(o, value);
   if (name == "--parameter") return addParameters(o, value);
   if (name == "--form") return setForm(o, value);
+  if (name == "--without") return switchOff(o, value);
   if (name == "--holonomic") return o.holonomic.push_back(splitRows(value)), true;
   if (name == "--rule") return addRule(o, value);
   if (name == "--recursion") return o.recursion.push_back(splitRows(value)), true;
@@ -291,7 +318,7 @@ std::string Options::selftestFile(size_t k) const {
 Command parseOptions(int argc, const char *const *argv, Run &run) {
   std::vector<std::string> args(argv + 1, argv + argc);
   for (size_t i = 0; i < args.size() && args[i] != "--"; ++i) {
-    if (args[i] == "--help" || args[i] == "-h") return std::cout << help, Command::Done;
+    if (args[i] == "--help" || args[i] == "-h") return std::cout << help(), Command::Done;
     if (args[i] == "--version")
       return std::cout << "tlgen " TLGEN_VERSION " (built with LLVM and Clang " TLGEN_CLANG_VERSION ")\n", Command::Done;
     if (args[i] == "--explain") return explain(i + 1 < args.size() ? args[i + 1] : "");

@@ -55,25 +55,6 @@ std::string numberText(double value) {
   return s.find_first_of(".en") == std::string::npos ? s + ".0" : s;
 }
 
-bool isInteger(const Node *n) {
-  switch (n->op) {
-  case Node::Affine:
-  case Node::Integer:
-    return true;
-  case Node::Convert:
-    return n->text != "tl_real";
-  case Node::Leaf:
-    return n->slot->integer;
-  case Node::Carried:
-  case Node::Final:
-    return isInteger(n->of->carried[size_t(n->which)].init);
-  case Node::Select:
-    return isInteger(n->args[1]);
-  default:
-    return isTruth(n);
-  }
-}
-
 size_t Sites::number(const Node *node) {
   std::string function = node->op == Node::Recip ? "div" : node->op == Node::Taylor ? "compose" : node->text;
   if (function == "tl_power") function = "pow";
@@ -145,8 +126,10 @@ std::string GraphPrinter::block(const Loop *loop, int indent) {
 
 std::string GraphPrinter::item(const Item &i, int indent) {
   switch (i.kind) {
-  case Item::Value:
-    return value(i.node, indent);
+  case Item::Value: {
+    std::string s = value(i.node, indent);
+    return schedule_.isKept(i.node) ? s + blanks(indent) + "(void)(" + show(i.node).text.s + ");\n" : s;
+  }
   case Item::Repeat:
     return loopText(i.loop, indent);
   case Item::Leave:

@@ -110,9 +110,6 @@ private:
 // Text of a number that reads back as the same.
 std::string numberText(double value);
 
-// True for values of integer type, truth values included.
-bool isInteger(const Node *n);
-
 } // namespace tlgen
 
 #endif

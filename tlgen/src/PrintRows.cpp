@@ -27,6 +27,7 @@ void RowPrinter::bind(const Row *row, const std::string &name, long stride) { pl
 const RowPrinter::Place &RowPrinter::place(const Row *row) {
   auto known = places_.find(row);
   if (known != places_.end()) return known->second;
+  if (row->given) return places_[row] = {row->name, row->given, false};
   long stride = (columns_ + 7) / 8 * 8;
   declared_.push_back(row);
   if (row->count > 1) workspace_ += row->count * stride;

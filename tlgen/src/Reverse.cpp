@@ -1,36 +1,17 @@
 // The reverse sweep over a graph, loop by loop from the last to the first.
 #include "Reverse.h"
 
-#include "Order.h"
 #include "Tapes.h"
+#include "Varied.h"
 
 namespace tlgen {
 namespace {
 
-bool differentiable(const Node *node) {
-  switch (node->op) {
-  case Node::Leaf:
-  case Node::Carried:
-  case Node::Final:
-  case Node::Read:
-  case Node::Add:
-  case Node::Mul:
-  case Node::Recip:
-  case Node::Math:
-  case Node::Taylor:
-  case Node::Select:
-    return true;
-  default:
-    return false;
-  }
-}
-
 class Sweep {
 public:
-  Sweep(Graph &graph, const std::vector<Seed> &seeds, const std::set<const Slot *> &wanted)
-      : graph_(graph), seeds_(seeds), wanted_(wanted), needed_(values(seeds)), tapes_(graph) {
-    findVaried();
-  }
+  Sweep(Graph &graph, const std::vector<Seed> &seeds, const std::set<const Slot *> &wanted, const Analyses &analyses)
+      : graph_(graph), seeds_(seeds), analyses_(analyses), needed_(values(seeds)), varied_(needed_, wanted),
+        tapes_(graph, analyses.recompute) {}
 
   Adjoints run() {
     Region outside{nullptr, nullptr, nullptr, {}, {}, {}};
@@ -55,41 +36,8 @@ private:
     return nodes;
   }
 
-  // Which values depend on the wanted slots: to a fixed point, since loops carry values around.
-  void findVaried() {
-    for (bool changed = true; changed;) {
-      changed = false;
-      findVariedIn(nullptr, changed);
-    }
-  }
-
-  void findVariedIn(const Loop *loop, bool &changed) {
-    for (const Step &step : needed_.steps(loop)) {
-      if (step.loop) findVariedIn(step.loop, changed);
-      if (step.node && !varied_.count(step.node) && varies(step.node)) {
-        varied_.insert(step.node);
-        changed = true;
-      }
-    }
-  }
-
-  bool varies(const Node *node) const {
-    if (!differentiable(node)) return false;
-    if (node->op == Node::Leaf) return wanted_.count(node->slot) != 0;
-    if (node->op == Node::Carried || node->op == Node::Final) {
-      const Carry &carry = node->of->carried[size_t(node->which)];
-      return varied_.count(carry.init) || varied_.count(carry.out);
-    }
-    if (node->op == Node::Read) {
-      for (const Write &write : node->array->writes)
-        if (varied_.count(write.value)) return true;
-      return false;
-    }
-    size_t first = node->op == Node::Select ? 1 : 0;
-    for (size_t k = first; k < node->args.size(); ++k)
-      if (varied_.count(node->args[k])) return true;
-    return false;
-  }
+  // Whether the value gets an adjoint.
+  bool isActive(const Node *node) const { return analyses_.activity ? varied_.has(node) : differentiable(node) && !isInteger(node); }
 
   void addTo(std::unordered_map<Node *, Node *> &sums, Node *node, Node *value) {
     Node *&sum = sums[node];
@@ -98,7 +46,7 @@ private:
 
   // value is a part of the adjoint of a node of this region or one outside of it.
   void contribute(Node *to, Node *value) {
-    if (!varied_.count(to) || value->is(0)) return;
+    if (!isActive(to) || value->is(0)) return;
     if (to->loop == region_->forward) return addTo(region_->adjoint, to, value);
     auto &sum = region_->sums[to->id];
     sum = {to, sum.second ? graph_.add(sum.second, value) : value};
@@ -123,7 +71,7 @@ private:
   }
 
   void sweepNode(Node *node) {
-    if (!varied_.count(node)) return;
+    if (!isActive(node)) return;
     for (const auto &[array, write] : writesOf(node)) {
       auto adjoint = arrayAdjoints_.find({array, backwardOf(array->home)});
       if (adjoint == arrayAdjoints_.end()) continue;
@@ -181,7 +129,7 @@ private:
     case Node::Mul:
       if (args[0] == args[1]) return give(args[0], graph_.mul(graph_.scale(2, adjoint), at(args[0])));
       for (size_t k = 0; k < 2; ++k)
-        if (varied_.count(args[k])) give(args[k], graph_.mul(adjoint, at(args[1 - k])));
+        if (isActive(args[k])) give(args[k], graph_.mul(adjoint, at(args[1 - k])));
       return;
     case Node::Recip: {
       Node *value = at(node);
@@ -198,11 +146,11 @@ private:
       break;
     }
     for (size_t k = 0; k < args.size(); ++k) {
-      if (!varied_.count(args[k])) continue;
+      if (!isActive(args[k])) continue;
       Node *partial = partialOf(node, k);
       if (!partial) {
-        result_.noFormula = node;
-        return;
+        if (varied_.has(args[k])) result_.noFormula = node;
+        continue;
       }
       give(args[k], graph_.mul(adjoint, at(partial)));
     }
@@ -219,7 +167,7 @@ private:
     if (!reachesLoop(loop)) return;
     std::vector<size_t> active;
     for (size_t k = 0; k < loop->carried.size(); ++k)
-      if (needed_.has(loop, k) && varied_.count(loop->carried[k].in)) active.push_back(k);
+      if (needed_.has(loop, k) && isActive(loop->carried[k].in)) active.push_back(k);
     auto before = result_.of;
     auto arrays = arrayAdjoints_;
     std::map<Array *, size_t> writes;
@@ -234,8 +182,8 @@ private:
 
   // Whether anything in the loop can have an adjoint: something is seeded in it, or read of it later.
   bool reachesLoop(const Loop *loop) {
-    for (const Node *node : varied_)
-      if (node->loop && node->loop->within(loop)) return true;
+    for (const Node *node : needed_.nodes())
+      if (isActive(node) && node->loop && node->loop->within(loop)) return true;
     return false;
   }
 
@@ -281,9 +229,9 @@ private:
 
   Graph &graph_;
   const std::vector<Seed> &seeds_;
-  const std::set<const Slot *> &wanted_;
+  const Analyses &analyses_;
   Needed needed_;
-  std::unordered_set<const Node *> varied_;
+  Varied varied_;
   Region *region_ = nullptr;
   std::map<std::pair<Array *, Loop *>, Array *> arrayAdjoints_; // by the loop in which they are filled
   Tapes tapes_;
@@ -294,9 +242,9 @@ private:
 
 } // namespace
 
-Adjoints reverse(Graph &graph, const std::vector<Seed> &seeds, const std::set<const Slot *> &wanted) {
+Adjoints reverse(Graph &graph, const std::vector<Seed> &seeds, const std::set<const Slot *> &wanted, const Analyses &analyses) {
   Graph::Making making(graph, nullptr, graph.loc);
-  return Sweep(graph, seeds, wanted).run();
+  return Sweep(graph, seeds, wanted, analyses).run();
 }
 
 } // namespace tlgen

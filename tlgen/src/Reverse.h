@@ -1,10 +1,11 @@
 // The reverse sweep: derivatives of a value with respect to elements of its inputs, as values of the same graph.
 //
-// Every loop that the value was computed in gets a loop that runs the other way. What it needs of the forward loop is made again where
-// it follows from the iteration number alone, and kept in an array (a tape) where it depends on what iterations carry.
+// Every loop that the value was computed in gets a loop that runs the other way. What it needs of the forward loop is made again, or
+// read from a tape: see Tapes.h. Which values get adjoints at all: see Varied.h.
 #ifndef TLGEN_REVERSE_H
 #define TLGEN_REVERSE_H
 
+#include "Analyses.h"
 #include "Graph.h"
 
 #include <set>
@@ -29,7 +30,7 @@ struct Adjoints {
 };
 
 // The derivatives of sum(adjoint * value) with respect to the wanted slots.
-Adjoints reverse(Graph &graph, const std::vector<Seed> &seeds, const std::set<const Slot *> &wanted);
+Adjoints reverse(Graph &graph, const std::vector<Seed> &seeds, const std::set<const Slot *> &wanted, const Analyses &analyses = {});
 
 } // namespace tlgen
 

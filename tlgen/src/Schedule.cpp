@@ -113,6 +113,7 @@ bool isPassive(const Node *n, std::unordered_map<const Node *, bool> &known) {
 } // namespace
 
 Schedule::Schedule(Graph &graph, std::vector<Phase> phases) : graph_(graph), phases_(std::move(phases)) {
+  for (const Phase &phase : phases_) kept_.insert(phase.kept.begin(), phase.kept.end());
   makeChecks();
   makeBatches();
   countUses();
@@ -165,6 +166,7 @@ Schedule::Needed Schedule::need(size_t phase, bool all) {
   };
   for (size_t k = all ? 0 : phase; k < (all ? phases_.size() : phase + 1); ++k) {
     for (const Array *a : phases_[k].arrays) array(a);
+    for (Node *n : phases_[k].kept) node(n);
     for (const RowUpdate &u : phases_[k].updates) {
       needed.add(needed.updates, &u);
       loop(u.loop);
@@ -344,6 +346,7 @@ void Schedule::countUses() {
     use(c->outside, in);
     if (c->guard) use(c->guard->holds, in);
   }
+  for (const Node *n : kept_) use(n, n->loop);
   for (const RowUpdate *u : needed.updates)
     for (const Node *n : nodesOf(*u)) use(n, n->loop), use(n, n->loop); // in the midst of a loop over columns: by name
 }

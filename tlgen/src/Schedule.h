@@ -13,10 +13,12 @@
 
 namespace tlgen {
 
-// What is printed without a break: everything that these arrays hold and these updates of rows do.
+// What is printed without a break: everything that these arrays hold and these updates of rows do. kept: values that are computed
+// though nothing needs them.
 struct Phase {
   std::vector<const Array *> arrays;
   std::vector<RowUpdate> updates;
+  std::vector<Node *> kept = {};
 };
 
 // sin and cos, or another function of math.h, at many arguments by one statement.
@@ -81,6 +83,8 @@ public:
 
   // True where a value has one user, in the same loop's body, so that it can be written where it is used.
   bool isUsedOnce(const Node *node) const;
+  // True where the value is computed though nothing may need it.
+  bool isKept(const Node *node) const { return kept_.count(node) > 0; }
   // Where the node is found in the results of a batch; null where it is in none.
   const Place *place(const Node *node) const;
   // True where the phase that was ordered last computes, or uses, that carried value of a loop.
@@ -113,6 +117,7 @@ private:
 
   Graph &graph_;
   std::vector<Phase> phases_;
+  std::set<const Node *> kept_;
   std::vector<Check> checks_;
   std::deque<Batch> batches_;
   std::unordered_map<const Node *, Place> places_;

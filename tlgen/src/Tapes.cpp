@@ -47,6 +47,7 @@ bool Tapes::carriedOn(const Node *node) const {
 bool Tapes::mustTape(Node *node) {
   if (!node->loop) return false;
   if (carriedOn(node)) return true;
+  if (!recompute_) return node->op != Node::Number && !isInteger(node); // arrays hold reals only
   if (!followsCarried(node)) return false;
   return node->op == Node::Math || node->op == Node::Recip || node->op == Node::Taylor || isEndOfIteration(node);
 }

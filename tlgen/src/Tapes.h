@@ -8,7 +8,8 @@ namespace tlgen {
 
 class Tapes {
 public:
-  explicit Tapes(Graph &graph) : graph_(&graph) {}
+  // recompute: values are made again where that takes no function; otherwise all are read from tapes.
+  explicit Tapes(Graph &graph, bool recompute = true) : graph_(&graph), recompute_(recompute) {}
 
   // The value of a node of another loop, in the iteration that `there` gives: for the index of each of the node's loops a node here.
   // Values that depend on what iterations carry are read from a tape where making them again takes a function; all others are made
@@ -23,6 +24,7 @@ private:
   Node *place(const Loop *loop);
 
   Graph *graph_;
+  bool recompute_;
   std::map<Node *, Array *> tapes_;
   std::map<Node *, bool> follows_;
 };

@@ -46,6 +46,7 @@ Traced Tracer::run(const ModelFunction &f) {
   }
   runBody(f.function, args);
   Traced result;
+  result.assigned = assigned_;
   result.unrolled = unrolled_;
   if (!state_.live) unsuitable("the function never returns");
   int values = out != Pointer::null ? out : frames_.back().result; // what is returned beside results is a status
@@ -208,7 +209,7 @@ void Tracer::endScope(const Stmt *block) {
 void Tracer::declare(const Variable *v, const Expr *init) {
   if (v->isStatic) return;
   Cells cells = init ? fill(v->type, init) : Cells(size_t(leaves(v->type)));
-  if (cells.size() == 1 && cells[0].kind == Cell::Number && cells[0].node->name.empty()) cells[0].node->name = v->name;
+  if (init) name(v->name, cells);
   define(object(frames_.size(), v, v->name, v->type), std::move(cells));
 }
 

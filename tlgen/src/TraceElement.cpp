@@ -9,26 +9,6 @@
 
 namespace tlgen::symbols {
 
-bool isInteger(const Node *n) {
-  switch (n->op) {
-  case Node::Affine:
-  case Node::Compare:
-  case Node::Not:
-  case Node::Conjunction:
-  case Node::Disjunction:
-  case Node::Integer:
-    return true;
-  case Node::Convert:
-    return n->text != "tl_real";
-  case Node::Leaf:
-    return n->slot->integer;
-  case Node::Select:
-    return isInteger(n->args[1]);
-  default:
-    return false;
-  }
-}
-
 long factorOf(const Node *n, const Loop *loop) {
   for (auto &[l, factor] : n->terms)
     if (l == loop) return factor;

@@ -503,11 +503,16 @@ Cells Tracer::assign(const Expr *e) {
   return {result};
 }
 
-// A number is called like the first variable or member that holds it.
 void Tracer::name(const Expr *left, const Cells &cells) {
-  if (cells.size() != 1 || cells[0].kind != Cell::Number || !cells[0].node->name.empty()) return;
   while (left->kind != Expr::Ref && left->kind != Expr::Member && !left->args.empty()) left = left->args[0];
-  cells[0].node->name = left->kind == Expr::Ref ? left->var->name : left->text;
+  name(left->kind == Expr::Ref ? left->var->name : left->text, cells);
+}
+
+// A number is called like the first variable or member that holds it.
+void Tracer::name(const std::string &variable, const Cells &cells) {
+  if (cells.size() != 1 || cells[0].kind != Cell::Number) return;
+  if (cells[0].node->name.empty()) cells[0].node->name = variable;
+  assigned_.push_back(cells[0].node);
 }
 
 Cells Tracer::step(const Expr *e) {

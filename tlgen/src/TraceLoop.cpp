@@ -115,7 +115,7 @@ bool Tracer::keep(const Stmt *s, long limit) {
   mine.before = state_;
   mine.loop = graph_.loop(kept_.empty() ? nullptr : kept_.back()->loop, limit < 0 ? nullptr : graph_.integer(limit), false);
   const std::deque<Frame> frames = frames_;
-  const size_t depth = kept_.size();
+  const size_t depth = kept_.size(), assigned = assigned_.size();
   kept_.push_back(&mine);
   try {
     passes(s, mine);
@@ -124,6 +124,7 @@ bool Tracer::keep(const Stmt *s, long limit) {
   } catch (...) {
     splits_ = true;
     kept_.resize(depth);
+    assigned_.resize(assigned);
     frames_ = frames;
     take(mine.before);
     throw;
@@ -136,8 +137,10 @@ bool Tracer::keep(const Stmt *s, long limit) {
 
 void Tracer::passes(const Stmt *s, Kept &mine) {
   const std::deque<Frame> frames = frames_;
+  const size_t assigned = assigned_.size();
   for (mine.pass = 0; mine.pass < maxPasses; ++mine.pass) {
     frames_ = frames;
+    assigned_.resize(assigned);
     start(mine);
     const State begin = state_;
     iterate(s, mine);

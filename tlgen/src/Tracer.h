@@ -102,7 +102,6 @@ struct Split {
   long at;
 };
 
-bool isInteger(const Node *n);
 bool hasEffects(const Expr *e);
 long factorOf(const Node *n, const Loop *loop); // of the loop's iteration number
 
@@ -181,6 +180,7 @@ private:
   Cells load(const Expr *e);
   Cell literal(const Expr *e);
   void name(const Expr *left, const Cells &cells);
+  void name(const std::string &variable, const Cells &cells);
   Cells castOf(const Expr *e);
   Node *convert(Node *n, const Type *from, const Type *to);
   Node *rounded(Node *n);
@@ -303,8 +303,9 @@ private:
   long dof_ = -1;            // -1: not known
   std::vector<Kept *> kept_; // outermost first
   std::map<std::vector<Node *>, Array *> snapshots_;
-  size_t choices_ = 0;               // of run time, so far
-  bool splits_ = true;               // comparisons may split loops
+  size_t choices_ = 0; // of run time, so far
+  bool splits_ = true; // comparisons may split loops
+  std::vector<Node *> assigned_;
   std::vector<Unsuitable> unrolled_; // loops that were not kept
   long steps_ = 0;
 };

@@ -100,6 +100,8 @@ struct eom_motion {
   int n, m1, m2;
   int (*fits)(const void *params); /* 1 where the parameters have these sizes, 0 elsewhere */
   size_t work;                     /* numbers (tl_real) of workspace, enough for each function */
+  int autonomous;                  /* 1: proved that t occurs nowhere, in L, forces and constraints */
+  int constant_mass;               /* 1: proved that M depends on params alone */
   const eom_site *sites;
   int nsite;
   const char *const *parameter; /* np: what p is, as in "p->mass[2]" */

@@ -49,6 +49,7 @@ expect 2 "'n' has two sizes" "$tlgen" "${good[@]}" --size n=6 --size n=7
 expect 2 "--parameter wants names" "$tlgen" "${good[@]}" --parameter ,mass
 expect 2 "wants --parameter" "$tlgen" "${good[@]}" --need parameters
 expect 2 "'columns' is no form" "$tlgen" "${good[@]}" --form columns
+expect 2 "'activty' is no analysis; the analyses are activity, demand" "$tlgen" "${good[@]}" --without activty
 expect 1 "[no-file]" "$tlgen" missing.c --lagrangian L --dof 1
 expect 1 "[no-file]" "$tlgen" . --lagrangian L --dof 1 --model m -o m.c
 expect 1 "[no-file]" "$tlgen" "${good[@]}" -p missing
