@@ -36,6 +36,14 @@ Loop *deeper(Loop *a, Loop *b) {
   return a->within(b) ? a : b;
 }
 
+// Arithmetic on parameters, outside of loops.
+bool isFixed(const Node &n) {
+  if (n.loop || n.guard) return false;
+  if (n.op == Node::Leaf) return n.slot->kind == Slot::Member && !n.slot->integer;
+  if (n.op != Node::Add && n.op != Node::Mul && n.op != Node::Recip && n.op != Node::Number) return false;
+  return std::all_of(n.args.begin(), n.args.end(), [](const Node *arg) { return arg->fixed; });
+}
+
 bool isNegation(const Node *n) { return n->op == Node::Mul && n->args[0]->is(-1); }
 
 const Guard *common(const Guard *a, const Guard *b) {
@@ -115,6 +123,7 @@ Node *Graph::make(Node n) {
   if (n.op == Node::Read) n.loop = n.array->home;
   for (auto &[loop, factor] : n.terms) n.loop = deeper(n.loop, loop);
   for (const Node *arg : n.args) n.loop = deeper(n.loop, arg->loop);
+  n.fixed = isFixed(n);
   return known_[key] = &nodes_.emplace_back(std::move(n));
 }
 
@@ -158,6 +167,8 @@ Node *Graph::add(Node *a, Node *b) {
   if (x.rest == y.rest) return scale(x.factor + y.factor, x.rest);
   if (Node *merged = simplifying ? mergedSum(a, b) : nullptr) return merged;
   if (isNegation(a) && isNegation(b)) return neg(add(x.rest, y.rest));
+  if (a->fixed && b->fixed)
+    if (Node *product = factoredSum(x, y)) return product;
   return plainSum(a, b);
 }
 
@@ -202,6 +213,7 @@ Node *Graph::mul(Node *a, Node *b) {
 }
 
 int Graph::rank(const Node *n) {
+  if (n->fixed) return 0;
   if (n->op == Node::Leaf) return n->slot->kind == Slot::Member ? 0 : 2;
   return n->op == Node::Math || n->op == Node::Recip ? 1 : 3;
 }

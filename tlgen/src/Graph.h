@@ -77,6 +77,7 @@ struct Node {
   // Not part of what the node is:
   int id = 0;           // in the order of making; arguments come first
   Loop *loop = nullptr; // the innermost loop it varies in, null outside of all
+  bool fixed = false;   // arithmetic on parameters alone, the same at all times
   const Guard *guard = nullptr;
   Loc loc;          // of the source that first asked for it
   std::string name; // of the variable that first held it; may be empty
@@ -216,7 +217,11 @@ private:
   static int rank(const Node *n);
   Node *scaledNode(const Scaled &s);
   Node *mergedSum(Node *a, Node *b);
-  static bool takeTogether(std::vector<Scaled> &terms, size_t left);
+  Node *factoredSum(const Scaled &a, const Scaled &b);
+  static std::vector<Node *> movingFactors(Node *product);
+  Scaled joined(const Scaled &a, const Scaled &b, const std::vector<Node *> &moving);
+  bool takeTogether(std::vector<Scaled> &terms, size_t left, bool fixedApart);
+  bool multiplyOut(std::vector<Scaled> &terms);
   bool joinSquares(std::vector<Scaled> &terms);
   Node *plainSum(Node *a, Node *b);
 

@@ -243,15 +243,30 @@ Results Needs::residual() {
   return results;
 }
 
-// The tangents of r - A' lambda and of A qdd - b.
+// The parts' sums without tangents, each as the one part of its element.
+Needs::Parts Needs::summed(const Parts &parts, long count, Results &results) {
+  Jets &along = jets(results, [this](Node *leaf) { return motion(leaf); }, POWERS, 0, true);
+  std::vector<JetOutput> outputs;
+  Array *sums = graph_.array("sums", count);
+  emit(outputs, parts, count, {sums}, false);
+  along.run(outputs, equations_.assigned);
+  Parts made;
+  collect(made, sums, 0, 1, 0);
+  return made;
+}
+
+// The tangents of r - A' lambda and of A qdd - b. In straight-line code they are those of the sums, so that what cancels there has
+// none.
 Results Needs::derivatives(const std::string &suffix, std::function<LeafJet(Node *)> inputs, long columns, bool explicitColumns) {
   Results results;
-  long m1 = rowsOf(equations_.holonomic), m2 = rowsOf(equations_.nonholonomic);
+  long n = equations_.n, m1 = rowsOf(equations_.holonomic), m = m1 + rowsOf(equations_.nonholonomic);
+  Parts r = residualParts(true), g = constraintParts();
+  if (explicit_) r = summed(r, n, results), g = summed(g, m, results);
   Jets &curve = jets(results, std::move(inputs), m1 ? 3 : 2, columns, explicitColumns);
   std::vector<JetOutput> outputs;
-  addMatrix(results, curve, outputs, "r_" + suffix, residualParts(true), equations_.n, columns, explicitColumns);
-  addMatrix(results, curve, outputs, "g_" + suffix, constraintParts(), m1 + m2, columns, explicitColumns);
-  curve.run(outputs, equations_.assigned);
+  addMatrix(results, curve, outputs, "r_" + suffix, r, n, columns, explicitColumns);
+  addMatrix(results, curve, outputs, "g_" + suffix, g, m, columns, explicitColumns);
+  curve.run(outputs, explicit_ ? std::vector<Node *>() : equations_.assigned);
   return results;
 }
 

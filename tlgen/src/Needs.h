@@ -74,6 +74,7 @@ private:
   long rowsOf(const std::vector<Array *> &functions) const;
   Parts residualParts(bool constraintForces);
   Parts constraintParts();
+  Parts summed(const Parts &parts, long count, Results &results);
   void emit(std::vector<JetOutput> &outputs, const Parts &parts, long count, Target target, bool upper);
   bool separate(const std::vector<JetOutput> &outputs, long count, std::vector<bool> &covered) const;
   Jets &jets(Results &results, std::function<LeafJet(Node *)> inputs, int powers, long columns, bool explicitColumns);

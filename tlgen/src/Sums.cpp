@@ -150,35 +150,120 @@ private:
 
 } // namespace
 
-// The sum where terms of a and b are multiples of each other, so that they become one, or cancel; null where there are none.
+// The sum where terms of a and b are alike, so that they become one, or cancel; null where there are none.
 Node *Graph::mergedSum(Node *a, Node *b) {
   std::vector<Scaled> all, right;
   if (!terms(a, 1, all) || !terms(b, 1, right)) return nullptr;
   size_t left = all.size();
   all.insert(all.end(), right.begin(), right.end());
-  bool fewer = takeTogether(all, left);
-  fewer = joinSquares(all) || fewer;
-  all.erase(std::remove_if(all.begin(), all.end(), [](const Scaled &s) { return s.factor == 0; }), all.end());
+  std::vector<Scaled> few = all;
+  bool fewer = takeTogether(few, left, true) && few.size() <= 2; // longer sums are better left alone: others share them
+  if (fewer)
+    all = few;
+  else
+    fewer = takeTogether(all, left, false);
   if (Node *sum = Cancellation(*this, all).sum()) return sum;
+  bool straight = !a->loop && !b->loop;
+  while (straight && multiplyOut(all)) fewer = takeTogether(all, 0, false) || fewer;
   if (!fewer) return nullptr;
-  Node *sum = number(0);
-  for (const Scaled &term : all) sum = sum->is(0) ? scaledNode(term) : plainSum(sum, scaledNode(term));
-  return sum;
+  Node *fixed = number(0), *sum = number(0);
+  for (const Scaled &term : all) {
+    Node *part = scaledNode(term);
+    if (part->fixed)
+      fixed = add(fixed, part);
+    else
+      sum = sum->is(0) ? part : plainSum(sum, part);
+  }
+  return fixed->is(0) ? sum : sum->is(0) ? fixed : plainSum(sum, fixed);
 }
 
-// Adds each term behind the first `left` to an equal one before it. False where there are none.
-bool Graph::takeTogether(std::vector<Scaled> &terms, size_t left) {
-  std::vector<Scaled> all(terms.begin(), terms.begin() + long(left));
-  for (size_t k = left; k < terms.size(); ++k) {
-    auto same = std::find_if(all.begin(), all.end(), [&](const Scaled &l) { return l.rest == terms[k].rest; });
-    if (same == all.end())
-      all.push_back(terms[k]);
-    else
-      same->factor += terms[k].factor;
+// The sum of two products as the product of the factors that they share and a sum; null where they share none.
+Node *Graph::factoredSum(const Scaled &a, const Scaled &b) {
+  std::vector<Node *> left, right;
+  if (a.rest) factorsOf(a.rest, left);
+  if (b.rest) factorsOf(b.rest, right);
+  Node *shared = nullptr, *x = number(a.factor), *y = number(b.factor);
+  for (Node *factor : left) {
+    auto same = std::find(right.begin(), right.end(), factor);
+    if (same == right.end()) {
+      x = mul(x, factor);
+    } else {
+      shared = shared ? mul(shared, factor) : factor;
+      right.erase(same);
+    }
   }
-  bool fewer = all.size() < terms.size();
+  for (Node *factor : right) y = mul(y, factor);
+  return shared ? mul(shared, add(x, y)) : nullptr;
+}
+
+// A product's factors that are not fixed.
+std::vector<Node *> Graph::movingFactors(Node *product) {
+  std::vector<Node *> factors;
+  if (product) factorsOf(product, factors);
+  factors.erase(std::remove_if(factors.begin(), factors.end(), [](const Node *n) { return n->fixed; }), factors.end());
+  return factors;
+}
+
+// The sum of two terms with the same moving factors.
+Graph::Scaled Graph::joined(const Scaled &a, const Scaled &b, const std::vector<Node *> &moving) {
+  auto fixedPart = [&](const Scaled &term) {
+    std::vector<Node *> factors;
+    factorsOf(term.rest, factors);
+    Node *product = number(term.factor);
+    for (Node *factor : factors)
+      if (factor->fixed) product = mul(product, factor);
+    return product;
+  };
+  Node *sum = add(fixedPart(a), fixedPart(b));
+  for (Node *factor : moving) sum = mul(sum, factor);
+  return scaled(sum);
+}
+
+// Adds each term behind the first `left` to one before it that is equal, or differs in fixed factors only. False where there are none.
+bool Graph::takeTogether(std::vector<Scaled> &terms, size_t left, bool fixedApart) {
+  std::vector<Scaled> all;
+  std::vector<std::vector<Node *>> moving;
+  for (const Scaled &term : terms) {
+    std::vector<Node *> factors = fixedApart ? movingFactors(term.rest) : std::vector<Node *>();
+    auto alike = [&](size_t k) { return all[k].rest == term.rest || (!factors.empty() && moving[k] == factors); };
+    size_t k = all.size() < left ? all.size() : 0;
+    while (k < all.size() && !alike(k)) ++k;
+    if (k == all.size()) {
+      all.push_back(term);
+      moving.push_back(factors);
+      continue;
+    }
+    Scaled sum = all[k].rest == term.rest ? Scaled{all[k].factor + term.factor, term.rest} : joined(all[k], term, factors);
+    all[k] = sum.factor == 0 ? Scaled{0, term.rest} : sum;
+  }
+  bool fewer = joinSquares(all) || all.size() < terms.size();
+  all.erase(std::remove_if(all.begin(), all.end(), [](const Scaled &term) { return term.factor == 0; }), all.end());
   terms = std::move(all);
   return fewer;
+}
+
+// Takes products with a sum of two terms apart where one of these is like another term. False where there are none.
+bool Graph::multiplyOut(std::vector<Scaled> &terms) {
+  std::vector<Scaled> all;
+  for (const Scaled &term : terms) {
+    std::vector<Node *> factors;
+    if (term.rest) factorsOf(term.rest, factors);
+    Node *sum = factors.size() > 1 ? factors.back() : nullptr; // sums come last
+    std::vector<Scaled> parts;
+    if (sum && sum->op == Node::Add && sum->args[0]->op != Node::Add && sum->args[1]->op != Node::Add)
+      for (Node *part : sum->args) {
+        for (size_t k = 0; k + 1 < factors.size(); ++k) part = mul(factors[k], part);
+        parts.push_back({term.factor * scaled(part).factor, scaled(part).rest});
+      }
+    bool alike = std::any_of(parts.begin(), parts.end(), [&](const Scaled &part) {
+      return std::any_of(terms.begin(), terms.end(), [&](const Scaled &other) { return other.rest == part.rest; });
+    });
+    if (!alike) parts = {term};
+    all.insert(all.end(), parts.begin(), parts.end());
+  }
+  bool more = all.size() > terms.size();
+  terms = std::move(all);
+  return more;
 }
 
 // a sin(x)^2 + a cos(x)^2 is a. True where there were such terms.
