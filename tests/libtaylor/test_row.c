@@ -56,10 +56,26 @@ static void row_may_be_added_to_itself(void **state) {
   for (int j = 0; j < 2 * TL_ROW_PAD; j++) assert_same(d[j], j < TL_ROW_PAD + 1 ? 3.0 * j : 1.0 * j);
 }
 
+static void pairs_are_taken_apart(void **state) {
+  (void)state;
+  static tl_real x[2 * LONGEST], even[ALL], odd[ALL];
+  rng r = {2};
+  for (int n = 0; n <= LONGEST; n++) {
+    draw(&r, x, 2 * LONGEST);
+    for (int j = 0; j < ALL; j++) even[j] = odd[j] = TL_C(9.0);
+    tl_row_unpair(even, odd, x, TL_C(-2.0), n);
+    for (int j = 0; j < ALL; j++) {
+      assert_same(even[j], j < n ? -2.0 * (double)x[2 * j] : 9.0);
+      assert_same(odd[j], j < n ? -2.0 * (double)x[2 * j + 1] : 9.0);
+    }
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(prefix_is_changed_and_the_rest_kept),
       cmocka_unit_test(row_may_be_added_to_itself),
+      cmocka_unit_test(pairs_are_taken_apart),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

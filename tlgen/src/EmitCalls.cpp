@@ -48,9 +48,9 @@ private:
   // The headers that motion functions call.
   std::string kernels() const {
     if (!motion_.any()) return "";
-    const bool powers = motion_.source.find("tl_power") != std::string::npos;
+    auto calls = [&](const char *name) { return motion_.source.find(name) != std::string::npos; };
     return std::string("\n#include \"eom/motion.h\"\n#include \"taylor/finite.h\"\n#include \"taylor/ldl.h\"\n") +
-           (powers ? "#include \"taylor/power.h\"\n" : "") +
+           (calls("tl_power") ? "#include \"taylor/power.h\"\n" : "") + (calls("tl_row_") ? "#include \"taylor/row.h\"\n" : "") +
            "#include \"taylor/sincos_array.h\"\n\n"
            "#ifdef __clang__\n#pragma clang diagnostic ignored \"-Wpass-failed\" /* a loop that is not worth a vector */\n#endif\n";
   }

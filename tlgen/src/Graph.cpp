@@ -414,6 +414,21 @@ Node *Graph::read(Array *array, Node *index) {
   return make(std::move(n));
 }
 
+Array *Graph::runningSums(Node *value, const Loop *of) {
+  Loop *&adding = adding_[{of->trips, of->down}];
+  if (!adding) adding = loop(nullptr, of->trips, of->down);
+  Replacement there = {{of->index, adding->index}};
+  value = replace(value, there);
+  Array *&sums = sums_[value];
+  if (!sums) {
+    Node *in = carry(adding, number(0)), *out = add(in, value);
+    setOut(in, out);
+    sums = array("sums", of->trips->offset);
+    write(sums, adding, adding->index, out);
+  }
+  return sums;
+}
+
 Node *Graph::rebuild(Node *n, std::vector<Node *> args) {
   switch (n->op) {
   case Node::Leaf:

@@ -161,6 +161,9 @@ public:
   Array *array(const std::string &label, long length);
   void write(Array *array, Loop *loop, Node *index, Node *value) { array->writes.push_back({loop, index, value}); }
   Node *read(Array *array, Node *index);
+  // The sums of a value over the iterations so far, for each of a loop's, in an array that equal sums of all such loops share. The loop
+  // has a constant number of iterations, and the value does not depend on what these carry.
+  Array *runningSums(Node *value, const Loop *loop);
 
   // The same value with other nodes in the place of some, arguments rebuilt as needed.
   // An index of a loop in by stands for the loop's number wherever it occurs. by remembers what was rebuilt.
@@ -231,6 +234,8 @@ private:
   std::deque<Array> arrays_;
   std::deque<Slot> slots_;
   std::deque<Guard> guards_;
+  std::map<std::pair<Node *, bool>, Loop *> adding_; // by trips and direction
+  std::map<Node *, Array *> sums_;                   // by the value in that loop
 };
 
 // Derivatives of elementary functions.

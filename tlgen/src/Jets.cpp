@@ -14,8 +14,8 @@ Row *Jets::row(const std::string &name, long count) {
 
 const Direction *Jets::direction(Direction d) {
   auto id = [](const Node *n) { return n ? std::to_string(n->id) : "-"; };
-  std::string key = id(d.column) + " " + (d.row ? std::to_string(d.row->id) : "-") + " " + id(d.index) + " " + id(d.bound) + " " +
-                    (d.updated ? "new" : "old");
+  std::string key = id(d.column) + " " + (d.row ? std::to_string(d.row->id) : "-") + " " + id(d.index) + " " + id(d.from) + " " +
+                    id(d.bound) + " " + (d.updated ? "new" : "old");
   Direction *&known = directions_[key];
   if (!known) {
     d.id = int(allDirections_.size());

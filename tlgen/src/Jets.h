@@ -43,9 +43,10 @@ struct Direction {
   int id;
   Node *column; // null for a row
   Row *row;
-  Node *index;  // which of the rows; null where there is one
-  Node *bound;  // columns from here on count as zero; null: none
-  bool updated; // of a carried row: as this iteration leaves it, but for single columns; not as it found it
+  Node *index;          // which of the rows; null where there is one
+  Node *bound;          // columns from here on count as zero; null: none
+  bool updated;         // of a carried row: as this iteration leaves it, but for single columns; not as it found it
+  Node *from = nullptr; // columns before this one count as zero; null: none
 };
 
 struct ByNumber {
@@ -67,6 +68,7 @@ struct RowUpdate {
   bool before;        // before the loop that carries the row begins: the row's first content (zero where there is no such update)
   Node *from, *bound; // columns that can be other than zero; null: all
   Tangents sum;
+  bool fill = false; // single columns alone, each of them once
 };
 
 // The coefficients of an input. tangents: column and value.
@@ -212,11 +214,19 @@ private:
   void storeTangents(Stored &stored, Array *array, const Write &write, int power);
   bool storeView(Stored &stored, const Write &write, int power);
   bool splitTangents(Stored &stored, const Write &write, int power);
-  Node *ownColumns(const Direction *direction, Loop *clone, Tangents &own);
+  Node *ownColumns(const Direction *direction, Loop *clone, Tangents &own) const;
   Node *tapedAt(const Stored &stored, Node *ofIteration, Node *index);
   void dropUnused();
   void keep(Node *node);
   void keepAll();
+  void closeSums();
+  struct ClosedSum;
+  bool isClosed(const RowUpdate &update, ClosedSum &sum) const;
+  const Row *tailOf(const ClosedSum &sum);
+  void replaceSum(const Row *row, const ClosedSum &sum, const Row *tail);
+  bool isReferred(const Row *row, const Loop *loop) const;
+  void separateFills();
+  Loop *fillLoop(Node *trips);
   void boundUpdates(Loop *clone, size_t firstUpdate);
 
   Graph &graph_;
@@ -236,7 +246,8 @@ private:
   std::map<std::pair<const Loop *, std::pair<size_t, int>>, Row *> carriedRows_; // of new loops
   std::map<Node *, std::pair<Loop *, size_t>> outOf_;                            // end values of the loops under way -> carried
   std::map<const Array *, Stored> stored_;
-  Tapes tapes_;
+  mutable Tapes tapes_;
+  std::map<Node *, Loop *> fills_;                                      // by trips
   std::map<std::pair<const Loop *, Node *>, Graph::Replacement> taped_; // by the loop and the iteration there
   std::set<std::pair<const Array *, size_t>> written_;                  // writes that are in stored_
   std::map<std::string, Direction *> directions_;

@@ -46,10 +46,12 @@ void Jets::run(const std::vector<JetOutput> &outputs, const std::vector<Node *> 
   runRegion(nullptr);
   finishLoop(nullptr, 0);
   for (Node *node : besides) keep(value(node));
+  closeSums();
   if (analyses_.demand)
     dropUnused();
   else
     keepAll();
+  separateFills();
   needed_ = nullptr;
 }
 
@@ -67,22 +69,6 @@ void Jets::keepAll() {
       keep(coefficient(node, power));
       for (auto &[direction, factor] : tangents(node, power)) keep(factor);
     }
-}
-
-// Demand: updates of rows that no result comes from.
-void Jets::dropUnused() {
-  std::set<const Row *> used;
-  for (const Row &row : rows_)
-    if (row.result) used.insert(&row);
-  for (size_t before = 0; before != used.size();) {
-    before = used.size();
-    for (const RowUpdate &update : updates_)
-      if (used.count(update.row))
-        for (auto &[direction, factor] : update.sum)
-          if (direction->row) used.insert(direction->row);
-  }
-  auto unused = [&](const RowUpdate &update) { return !used.count(update.row); };
-  updates_.erase(std::remove_if(updates_.begin(), updates_.end(), unused), updates_.end());
 }
 
 void Jets::runRegion(Loop *loop) {
@@ -405,7 +391,7 @@ bool Jets::splitTangents(Stored &stored, const Write &write, int power) {
 
 // The columns that an iteration adds to a carried row, where it does nothing else to it and each iteration has other ones: the row
 // keeps what it was, and the result is the end of its columns after an iteration. Null where it is not so.
-Node *Jets::ownColumns(const Direction *direction, Loop *clone, Tangents &own) {
+Node *Jets::ownColumns(const Direction *direction, Loop *clone, Tangents &own) const {
   const Row *row = direction->row;
   if (!analyses_.views || direction->updated || row->carriedBy != clone) return nullptr;
   Fresh all;

@@ -99,11 +99,10 @@ public:
   // Copies a matrix to an output; rows of r_y and g_y have the columns of a coordinate and its velocity side by side.
   std::string unpack(size_t part, const std::string &name, const std::string &to, const std::string &from, long count, long columns,
                      long stride, const std::string &sign = "") {
-    std::string row = to + "[i*" + str(columns) + " + j", read = " = " + sign + from + "[i*" + str(stride);
     bool paired = results(part).rows.count(name) && (name == "r_y" || name == "g_y");
-    if (!paired) return each(count, columns, row + "]" + read + " + j];");
-    return each(count, columns / 2, row + "]" + read + " + 2*j];") +
-           each(count, columns / 2, row + " + " + str(columns / 2) + "]" + read + " + 2*j + 1];");
+    if (!paired) return each(count, columns, to + "[i*" + str(columns) + " + j] = " + sign + from + "[i*" + str(stride) + " + j];");
+    std::string row = to + " + i*" + str(columns), read = from + " + i*" + str(stride), half = str(columns / 2);
+    return each(count, "tl_row_unpair(" + row + ", " + row + " + " + half + ", " + read + ", " + sign + "1.0, " + half + ");");
   }
 
   // Declares an array of so many numbers: on the stack in straight-line code, in the caller's memory otherwise.

@@ -65,7 +65,7 @@ std::string RowPrinter::factor(const Node *n) {
 }
 
 // Part of a sum at column c. below: columns from there on are beyond the first columns of such rows.
-std::string RowPrinter::term(const Direction *d, const Node *value, const Node *below) {
+std::string RowPrinter::term(const Direction *d, const Node *value, const Node *below, bool beyond) {
   std::string number;
   if (d->updated && news_.count(d->row))
     number = place(d->row).name + "_new";
@@ -74,6 +74,7 @@ std::string RowPrinter::term(const Direction *d, const Node *value, const Node *
   else
     number = at(d->row, d->index) + "[c]";
   if (d->bound && d->bound == below) number = "(c < " + index(d->bound) + " ? " + number + " : 0.0)";
+  if (d->from && !beyond) number = "(c < " + index(d->from) + " ? 0.0 : " + number + ")";
   if (value->is(1)) return " + " + number;
   if (value->is(-1)) return " - " + number;
   return " + " + factor(value) + " * " + number;
@@ -83,7 +84,8 @@ std::string RowPrinter::term(const Direction *d, const Node *value, const Node *
 std::string RowPrinter::sum(const RowUpdate &update, const Node *below, bool beyond) {
   std::string s;
   for (auto &[direction, value] : update.sum)
-    if (direction->row && !(beyond && direction->bound)) s += term(direction, value, direction->bound ? direction->bound : below);
+    if (direction->row && !(beyond && direction->bound))
+      s += term(direction, value, direction->bound ? direction->bound : below, beyond);
   if (s.empty()) return "0.0";
   return s[1] == '+' ? s.substr(3) : "-" + s.substr(3);
 }
@@ -157,7 +159,7 @@ std::string RowPrinter::columns(const Updates &updates, int indent) {
     for (auto &[direction, value] : u.sum) {
       if (!direction->column) continue;
       std::string text = printer_.text(value);
-      s += blanks(indent) + at(u) + "[" + index(direction->column) + "] += " + text + ";\n";
+      s += blanks(indent) + at(u) + "[" + index(direction->column) + "]" + (u.fill ? " = " : " += ") + text + ";\n";
     }
   return s;
 }

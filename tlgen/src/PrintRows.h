@@ -34,7 +34,7 @@ private:
   std::string factor(const Node *n);
   std::string columnLoop(const std::string &from, const std::string &to, const std::string &body, int indent);
   std::string body(const Updates &updates, const Node *below, bool beyond, int indent);
-  std::string term(const Direction *d, const Node *value, const Node *below);
+  std::string term(const Direction *d, const Node *value, const Node *below, bool beyond);
   std::string sum(const RowUpdate &update, const Node *below, bool beyond);
   std::string ranges(const Updates &updates, int indent);
   std::string columns(const Updates &updates, int indent);

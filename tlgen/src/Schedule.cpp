@@ -76,7 +76,8 @@ std::vector<Node *> nodesOf(const RowUpdate &u) {
     if (n) nodes.push_back(n);
   };
   add(u.index), add(u.from), add(u.bound);
-  for (auto &[direction, factor] : u.sum) add(factor), add(direction->column), add(direction->index), add(direction->bound);
+  for (auto &[direction, factor] : u.sum)
+    add(factor), add(direction->column), add(direction->index), add(direction->from), add(direction->bound);
   return nodes;
 }
 

@@ -16,10 +16,12 @@ public:
   // again from these. there remembers what was made.
   Node *at(Node *node, Graph::Replacement &there);
 
+  // Whether the value depends on what iterations of its loop carry.
+  bool followsCarried(Node *node);
+
 private:
   bool carriedOn(const Node *node) const;
   bool mustTape(Node *node);
-  bool followsCarried(Node *node);
   Array *tape(Node *node);
   Node *place(const Loop *loop);
 

@@ -69,4 +69,20 @@ TL_INLINE void tl_row_add_two(tl_real *d, const tl_real *x, tl_real a, const tl_
 #endif
 }
 
+/* even[j] = m*x[2*j] and odd[j] = m*x[2*j + 1] for j < n, and nothing beyond these. The rows do not overlap. */
+TL_INLINE void tl_row_unpair(tl_real *even, tl_real *odd, const tl_real *x, tl_real m, int n) {
+  int j = 0;
+#if TL_VECTORS
+  for (; j + 4 <= n; j += 4) {
+    const tl_v4 low = TL_V4_CONST(x + 2 * j), high = TL_V4_CONST(x + 2 * j + 4);
+    TL_V4(even + j) = m * __builtin_shufflevector(low, high, 0, 2, 4, 6);
+    TL_V4(odd + j) = m * __builtin_shufflevector(low, high, 1, 3, 5, 7);
+  }
+#endif
+  for (; j < n; j++) {
+    even[j] = m * x[2 * j];
+    odd[j] = m * x[2 * j + 1];
+  }
+}
+
 #endif

@@ -2,6 +2,7 @@
 #include "eom/motion.h"
 #include "taylor/finite.h"
 #include "taylor/ldl.h"
+#include "taylor/row.h"
 #include "taylor/sincos_array.h"
 
 #include "close.h"
