@@ -179,6 +179,13 @@ Node *Graph::plainSum(Node *a, Node *b) {
   return make(std::move(n));
 }
 
+Node *Graph::plainProduct(Node *a, Node *b) {
+  Node n(Node::Mul);
+  n.args = {a, b};
+  if (b->isNumber()) std::swap(n.args[0], n.args[1]);
+  return make(std::move(n));
+}
+
 Node *Graph::scaledNode(const Scaled &s) {
   if (!s.rest || s.factor == 0) return number(s.factor);
   if (s.factor == 1) return s.rest;

@@ -170,6 +170,9 @@ public:
   using Replacement = std::unordered_map<Node *, Node *>;
   Node *replace(Node *node, Replacement &by);
   Node *rebuild(Node *node, std::vector<Node *> args); // the same operation on other arguments
+  // Sums and products as they stand.
+  Node *plainSum(Node *a, Node *b);
+  Node *plainProduct(Node *a, Node *b);
 
   // Off: values made from now on are not looked up among those that are there (loops, inputs and integers are), or left as they are
   // asked for but for constants that are folded.
@@ -226,7 +229,6 @@ private:
   bool takeTogether(std::vector<Scaled> &terms, size_t left, bool fixedApart);
   bool multiplyOut(std::vector<Scaled> &terms);
   bool joinSquares(std::vector<Scaled> &terms);
-  Node *plainSum(Node *a, Node *b);
 
   std::deque<Node> nodes_;
   std::unordered_map<std::string, Node *> known_;

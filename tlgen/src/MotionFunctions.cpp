@@ -1,5 +1,6 @@
 // The functions of eom_motion: the statements of their results, and what comes between and after them.
 #include "MotionFunctions.h"
+#include "Regroup.h"
 #include "Trace.h"
 
 #include <algorithm>
@@ -65,22 +66,22 @@ struct Part {
 class MotionFunctions::Body {
 public:
   Body(MotionFunctions &of, MotionValues &made, std::vector<Part> parts)
-      : values(made), parts_(std::move(parts)), schedule_(made.graph, phases()),
+      : values(made), parts_(std::move(parts)), arrays_(regrouped()), schedule_(made.graph, phases()),
         printer(schedule_, of.program_, of.sites_, of.takenNames()) {}
 
   // The result, a row of numbers, is memory of that name.
   void vector(size_t part, const std::string &name, const std::string &lvalue) {
-    auto found = results(part).arrays.find(name);
-    if (found != results(part).arrays.end()) printer.bind(found->second, lvalue);
+    auto found = arrays_[part].find(name);
+    if (found != arrays_[part].end()) printer.bind(found->second, lvalue);
   }
 
   // The result, a matrix, is memory of that name with rows stride numbers apart.
   void matrix(size_t part, const std::string &name, const std::string &to, long columns, long stride) {
     auto row = results(part).rows.find(name);
-    auto array = results(part).arrays.find(name);
+    auto array = arrays_[part].find(name);
     if (row != results(part).rows.end())
       rows(part, columns).bind(row->second, to, stride);
-    else if (array != results(part).arrays.end())
+    else if (array != arrays_[part].end())
       printer.bind(array->second, to + (columns == stride ? "[%]" : "[%*" + str(stride) + " + %]"), columns);
   }
 
@@ -160,13 +161,38 @@ public:
 private:
   Results &results(size_t part) { return values.results(parts_[part].need); }
 
+  using Arrays = std::map<std::string, Array *>;
+
+  // The results that are computed here; in straight-line code, of products that share most.
+  std::vector<Arrays> regrouped() {
+    std::vector<Arrays> all(parts_.size());
+    std::vector<Node *> wanted;
+    for (size_t part = 0; part < parts_.size(); ++part)
+      for (const std::string &name : parts_[part].names) {
+        auto array = results(part).arrays.find(name);
+        if (array == results(part).arrays.end()) continue;
+        all[part].insert(*array);
+        for (const Write &write : array->second->writes) wanted.push_back(write.value);
+      }
+    if (values.rows) return all;
+    Regrouping regrouping(values.graph, wanted);
+    for (Arrays &arrays : all)
+      for (auto &[name, array] : arrays) {
+        const Array *original = array;
+        array = values.graph.array(original->name, original->length);
+        array->summed = original->summed;
+        for (const Write &write : original->writes) values.graph.write(array, write.loop, write.index, regrouping(write.value));
+      }
+    return all;
+  }
+
   std::vector<Phase> phases() {
     std::vector<Phase> all;
     for (size_t part = 0; part < parts_.size(); ++part) {
       Phase phase;
       for (const std::string &name : parts_[part].names) {
-        auto array = results(part).arrays.find(name);
-        if (array != results(part).arrays.end()) phase.arrays.push_back(array->second);
+        auto array = arrays_[part].find(name);
+        if (array != arrays_[part].end()) phase.arrays.push_back(array->second);
       }
       phase.updates = results(part).updates();
       phase.kept = results(part).kept();
@@ -183,6 +209,7 @@ private:
   }
 
   std::vector<Part> parts_;
+  std::vector<Arrays> arrays_; // by part
   Schedule schedule_;
   std::map<size_t, std::unique_ptr<RowPrinter>> rows_;
   std::vector<std::pair<std::string, long>> memory_;

@@ -1,0 +1,52 @@
+// Products of straight-line code in another order of their factors: one in which they share more.
+#ifndef TLGEN_REGROUP_H
+#define TLGEN_REGROUP_H
+
+#include "Graph.h"
+
+#include <set>
+
+namespace tlgen {
+
+// l_0 m_1 c_0 c_1, l_0 m_1 s_0 s_1, l_0 c_0, l_0 s_0 are seven products rather than nine as (l_0 c_0) (m_1 c_1), (l_0 s_0) (m_1 s_1):
+// the two factors that most products have in common become one, over and over.
+class Regrouping {
+public:
+  // values: all that is computed together.
+  Regrouping(Graph &graph, const std::vector<Node *> &values);
+
+  // The same value.
+  Node *operator()(Node *value) { return made(value); }
+
+private:
+  using Pair = std::pair<int, int>; // of factors, by number
+  struct Product {
+    bool negative;
+    std::vector<int> factors; // in order
+  };
+
+  bool collect(const std::vector<Node *> &values);
+  void addProduct(Node *node);
+  int number(Node *factor);
+  std::set<Pair> pairsOf(const Product &product) const;
+  void count(size_t product, bool present);
+  void join(Pair pair);
+  Node *made(Node *node);
+  Node *madeProduct(const Product &product);
+  Node *factor(int number);
+
+  Graph &graph_;
+  std::deque<Product> products_;
+  std::unordered_map<const Node *, size_t> places_; // in products_
+  std::vector<Node *> factors_;                     // by number; null for a pair
+  std::unordered_map<const Node *, int> numbers_;   // of factors that are no pairs
+  std::map<int, Pair> joined_;                      // pairs by number
+  std::map<Pair, std::set<size_t>> users_;          // products with both factors
+  std::set<std::pair<long, Pair>> order_;           // pairs by how many products have them, fewest first
+  std::unordered_map<const Node *, Node *> made_;
+  std::map<int, Node *> madePairs_;
+};
+
+} // namespace tlgen
+
+#endif
