@@ -28,7 +28,7 @@ uint64_t mixed(const Node *node) {
 // Terms that cancel once products of sums are multiplied out: S (a + b c) - S b c is S a. Nothing else is multiplied out.
 class Cancellation {
 public:
-  Cancellation(Graph &graph, const std::vector<Graph::Scaled> &terms) : graph_(graph) {
+  Cancellation(Graph &graph, const std::vector<Graph::Scaled> &terms, bool straight) : graph_(graph), straight_(straight) {
     for (const Graph::Scaled &term : terms) append(-1, term);
     for (size_t k = 0; k < terms_.size(); ++k) takeApart(k);
   }
@@ -101,8 +101,9 @@ private:
     return false;
   }
 
-  // A whole term goes, or a sum of two is one product afterwards. Longer sums are better left alone: others share them.
-  bool worthwhile(int a, int b) const { return terms_[size_t(a)].outer < 0 || (isOneOfTwo(a) && isOneOfTwo(b)); }
+  // A whole term goes, or a sum of two in a loop is one product afterwards. Longer sums, and those of straight-line code, are better
+  // left alone: others share them.
+  bool worthwhile(int a, int b) const { return terms_[size_t(a)].outer < 0 || (!straight_ && isOneOfTwo(a) && isOneOfTwo(b)); }
 
   bool isOneOfTwo(int k) const {
     int outer = terms_[size_t(k)].outer;
@@ -144,6 +145,7 @@ private:
   }
 
   Graph &graph_;
+  bool straight_;
   std::vector<Term> terms_; // outer ones first
   std::unordered_map<uint64_t, std::vector<int>> known_;
 };
@@ -162,8 +164,8 @@ Node *Graph::mergedSum(Node *a, Node *b) {
     all = few;
   else
     fewer = takeTogether(all, left, false);
-  if (Node *sum = Cancellation(*this, all).sum()) return sum;
   bool straight = !a->loop && !b->loop;
+  if (Node *sum = Cancellation(*this, all, straight).sum()) return sum;
   while (straight && multiplyOut(all)) fewer = takeTogether(all, 0, false) || fewer;
   if (!fewer) return nullptr;
   Node *fixed = number(0), *sum = number(0);
