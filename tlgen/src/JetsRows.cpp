@@ -85,7 +85,7 @@ const Row *Jets::tailOf(const ClosedSum &sum) {
     }
   }
   columns[direction({0, nullptr, tail, nullptr, nullptr, false})] = graph_.number(1);
-  updates_.push_back({fill, tail, nullptr, false, false, nullptr, nullptr, columns, true});
+  updates_.push_back({fill, tail, nullptr, false, false, nullptr, nullptr, columns, analyses_.demand});
   return tail;
 }
 
@@ -132,7 +132,7 @@ void Jets::separateFills() {
     if (!ownColumns(self, loop, own)) continue;
     if (std::any_of(own.begin(), own.end(), [&](auto &term) { return tapes_.followsCarried(term.second); })) continue;
     Loop *fill = fillLoop(loop->trips);
-    update.fill = true;
+    update.fill = analyses_.demand; // what nothing reads must not be set only: compilers warn of that
     update.loop = fill;
     update.row->carriedBy = fill;
     update.bound = nullptr;
