@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# One model: for each line of variants.txt, tlgen prints its motion functions with these options, the compiler takes them without a
+# One model: for each line of VARIANTS, a file here, tlgen prints its motion functions with these options, the compiler takes them without a
 # warning, and check.c compares them with the model's jets. One form may be unsuitable, the automatic choice may not. For a model of
 # unsuitable.txt tlgen must say why there are none.
-#   adjoint.sh NAME TLGEN REFERENCE|random COMPILER|each TLGEN-ARGUMENT.. -- COMPILER-ARGUMENT.. -- OBJECT OR LIBRARY..
-# COMPILER: with its options, in the place of those of variants.txt.
+#   adjoint.sh VARIANTS NAME TLGEN REFERENCE|random COMPILER|each TLGEN-ARGUMENT.. -- COMPILER-ARGUMENT.. -- OBJECT OR LIBRARY..
+# COMPILER: with its options, in the place of those of VARIANTS.
 set -uo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
-name=$1 tlgen=$2 reference=${3#random} only=${4#each}
-shift 4
+variants=$1 name=$2 tlgen=$3 reference=${4#random} only=${5#each}
+shift 5
 long=400000 # bytes of C: optimising compilers take minutes for more
 model=() includes=()
 while [ "$1" != -- ]; do model+=("$1"); shift; done
@@ -50,5 +50,5 @@ while IFS='|' read -r compiler variant; do
     3) grep -q '\[adjoint-large\]' "$work/said" || { cat "$work/said"; fail "no functions"; } ;; # all of them too long
     *) fail check ;;
   esac
-done <"$here/variants.txt"
+done <"$here/$variants"
 [ $tried -gt 0 ] && exit $failed
