@@ -56,6 +56,12 @@ bool isSingle(const Node &n) {
   return n.op != Node::Add && n.op != Node::Mul && n.op != Node::Recip && n.op != Node::Math && n.op != Node::Taylor;
 }
 
+// The conditions that are known where the loop's values are: a value that does not vary in a loop is computed before it.
+const Guard *visible(const Guard *guard, const Loop *loop) {
+  while (guard && guard->holds->loop && !(loop && loop->within(guard->holds->loop))) guard = guard->outer;
+  return guard;
+}
+
 } // namespace
 
 bool isInteger(const Node *n) {
@@ -115,7 +121,6 @@ Node *Graph::make(Node n) {
     return old;
   }
   n.id = int(nodes_.size());
-  n.guard = guard;
   n.loc = loc;
   n.name = name;
   if (n.op == Node::Carried) n.loop = n.of;
@@ -124,6 +129,7 @@ Node *Graph::make(Node n) {
   for (auto &[loop, factor] : n.terms) n.loop = deeper(n.loop, loop);
   for (const Node *arg : n.args) n.loop = deeper(n.loop, arg->loop);
   n.fixed = isFixed(n);
+  n.guard = visible(guard, n.loop);
   return known_[key] = &nodes_.emplace_back(std::move(n));
 }
 

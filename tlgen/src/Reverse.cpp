@@ -62,6 +62,7 @@ private:
   void sweepRegion() {
     for (const Seed &seed : seeds_)
       if (seed.value->loop == region_->forward) contribute(seed.value, at(seed.adjoint));
+    if (region_->forward) sweepFixedWrites();
     const std::vector<Step> &steps = needed_.steps(region_->forward);
     for (size_t k = steps.size(); k-- > 0;)
       if (steps[k].loop)
@@ -72,11 +73,8 @@ private:
 
   void sweepNode(Node *node) {
     if (!isActive(node)) return;
-    for (const auto &[array, write] : writesOf(node)) {
-      auto adjoint = arrayAdjoints_.find({array, backwardOf(array->home)});
-      if (adjoint == arrayAdjoints_.end()) continue;
-      contribute(node, graph_.read(adjoint->second, at(write->index)));
-    }
+    for (const auto &[array, write] : writesOf(node))
+      if (write->loop == node->loop) contributeWritten(array, *write);
     auto known = region_->adjoint.find(node);
     if (known == region_->adjoint.end() || known->second->is(0)) return;
     Node *adjoint = known->second;
@@ -97,6 +95,22 @@ private:
       sweepOperation(node, adjoint);
     }
   }
+
+  // What has been read of an element goes to the value that was written there.
+  void contributeWritten(const Array *array, const Write &write) {
+    auto adjoint = arrayAdjoints_.find({const_cast<Array *>(array), backwardOf(array->home)});
+    if (adjoint != arrayAdjoints_.end()) contribute(write.value, graph_.read(adjoint->second, at(write.index)));
+  }
+
+  // Iterations that write what does not vary in them.
+  void sweepFixedWrites() {
+    for (const Array &array : graph_.arrays())
+      if (needed_.has(&array))
+        for (const Write &write : array.writes)
+          if (isFixedIn(write, region_->forward) && isActive(write.value)) contributeWritten(&array, write);
+  }
+
+  static bool isFixedIn(const Write &write, const Loop *loop) { return write.loop == loop && write.value->loop != loop; }
 
   Loop *backwardOf(const Loop *forward) {
     for (Region *r = region_; forward && r; r = r->outer)
@@ -184,6 +198,10 @@ private:
   bool reachesLoop(const Loop *loop) {
     for (const Node *node : needed_.nodes())
       if (isActive(node) && node->loop && node->loop->within(loop)) return true;
+    for (const Array &array : graph_.arrays())
+      if (needed_.has(&array))
+        for (const Write &write : array.writes)
+          if (write.loop && write.loop->within(loop) && isFixedIn(write, write.loop) && isActive(write.value)) return true;
     return false;
   }
 
