@@ -1,5 +1,7 @@
 /* One model of a real mechanism: L, its derivatives up to the third, accelerations, multipliers, constraint functions and the
- * linearisation beside the high-precision reference. With --table it prints one line of markdown per kind of point instead of checking. */
+ * linearisation beside the high-precision reference. With --table it prints one line of markdown per kind of point besides checking, with
+ * --time one line of what a linearisation takes by jets and by motion functions; bench/mechanisms runs that. */
+#define _POSIX_C_SOURCE 200112L /* clock_gettime */
 #include "mechanics.h"
 #include "reference.h"
 
@@ -12,6 +14,7 @@
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
+#include <time.h>
 
 /* The largest error of a block of numbers relative to the largest of them: some thousand roundings. At points that were chosen to be
  * ill-conditioned, condition * DBL_EPSILON is the limit where it is more. */
@@ -190,12 +193,57 @@ static void print_row(const eom_system *sys, const char *kind, const errors *e) 
   printf(" %.0e |\n", condition);
 }
 
+static double seconds(void) {
+  struct timespec now;
+  clock_gettime(CLOCK_MONOTONIC, &now);
+  return (double)now.tv_sec + 1e-9 * (double)now.tv_nsec;
+}
+
+static int ascending(const void *a, const void *b) {
+  const double x = *(const double *)a, y = *(const double *)b;
+  return (x > y) - (x < y);
+}
+
+/* Nanoseconds that eom_linearise takes at a point, minimum and median of REPEATS; false where the emitter cannot. */
+static bool time_linearise(eom_emitter emitter, const point *p, double *minimum, double *median) {
+  enum { REPEATS = 15, PER_REPEAT = 200 };
+  eom_options options = eom_options_default();
+  eom_system *sys;
+  double times[REPEATS];
+  options.emitter = emitter;
+  if (eom_system_create(&sys, mechanics_model(), mechanics_params(), &options)) return false;
+  const int n = sys->n;
+  bool fine = true;
+  for (int r = 0; r < REPEATS; r++) {
+    const double start = seconds();
+    for (int k = 0; k < PER_REPEAT; k++) fine = eom_linearise(sys, p->state, p->state + n, p->state[2 * n]) == EOM_OK && fine;
+    times[r] = 1e9 * (seconds() - start) / PER_REPEAT;
+  }
+  qsort(times, REPEATS, sizeof times[0], ascending);
+  *minimum = times[0];
+  *median = times[REPEATS / 2];
+  eom_system_destroy(sys);
+  return fine;
+}
+
+/* One line of markdown: the model, n, m, jets and motion functions in ns (minimum, median), the ratio of the minima. */
+static void print_times(const reference *r, int constraints) {
+  double calls[2], motion[2];
+  const point *p = &r->points[0];
+  if (!time_linearise(EOM_EMITTER_CALLS, p, &calls[0], &calls[1])) return;
+  printf("| %s | %d | %d | %.0f (%.0f) |", mechanics_model()->name, r->n, constraints, calls[0], calls[1]);
+  if (time_linearise(EOM_EMITTER_MOTION, p, &motion[0], &motion[1]))
+    printf(" %.0f (%.0f) | %.1f |\n", motion[0], motion[1], calls[0] / motion[0]);
+  else
+    printf(" - | - |\n");
+}
+
 int main(int argc, char **argv) {
-  bool table = argc == 2 && strcmp(argv[1], "--table") == 0;
+  bool table = argc == 2 && strcmp(argv[1], "--table") == 0, timed = argc == 2 && strcmp(argv[1], "--time") == 0;
   reference r = reference_read(mechanics_reference);
   eom_system *sys;
-  if (argc > 1 && !table) {
-    fprintf(stderr, "usage: %s [--table]\n", argv[0]);
+  if (argc > 1 && !table && !timed) {
+    fprintf(stderr, "usage: %s [--table | --time]\n", argv[0]);
     return 2;
   }
   if (eom_system_create(&sys, mechanics_model(), mechanics_params(), NULL) || sys->n != r.n || 2 * r.n + 1 > 64) {
@@ -203,6 +251,7 @@ int main(int argc, char **argv) {
     return EXIT_FAILURE;
   }
   errors e = no_errors();
+  if (timed) print_times(&r, sys->m);
   for (int i = 0; i < r.npoint; i++) { /* neighbouring points of one kind make one row */
     check_jet(&e, &r.points[i], r.n);
     check_motion(&e, &r.points[i], sys);
