@@ -1,6 +1,6 @@
 // The adjoint emitter: which functions, in which form, and the tables beside them.
 #include "EmitAdjoint.h"
-#include "MotionFunctions.h"
+#include "Report.h"
 #include "Trace.h"
 
 #include <algorithm>
@@ -8,10 +8,6 @@
 
 namespace tlgen {
 namespace {
-
-// Coordinates up to which a function is faster in registers (bench/README.md); Jacobians gain most from rows.
-const std::map<std::string, long> mostInRegisters = {{"linearise", 6}, {"parameters", 6}, {"jacobian", 6}};
-const long mostOtherwise = 8;
 
 // Characters of one function: compilers take minutes for much longer ones.
 const size_t longestFunction = 100000;
@@ -49,7 +45,7 @@ public:
     if (printed_.empty()) return text;
     text.source = fits() + identity() + definitions_ + description();
     text.header = header();
-    text.report = report_;
+    text.report = report();
     return text;
   }
 
@@ -63,43 +59,90 @@ private:
 
   long coordinates() const { return model_.dof.member.empty() ? model_.dof.value : options_.sizes.at(model_.dof.member); }
 
-  bool inRows(const std::string &function) const {
-    if (options_.form != Form::Auto) return options_.form == Form::Rows;
-    auto most = mostInRegisters.find(function);
-    return coordinates() > (most == mostInRegisters.end() ? mostOtherwise : most->second);
-  }
-
   MotionValues &values(bool rows) {
     auto &made = values_[rows];
     if (!made) made = std::make_unique<MotionValues>(program_, model_, options_, rows);
     return *made;
   }
 
-  // In the form that suits it, or in the other one where that cannot be.
-  void print(const std::string &function) {
-    bool rows = inRows(function);
-    MotionFunction made;
+  // The function in one form; nothing where that cannot be.
+  struct Candidate {
+    std::optional<MotionFunction> made;
+    std::optional<Unsuitable> why; // not
+  };
+
+  Candidate candidate(const std::string &function, bool rows) {
+    Candidate c;
     try {
-      made = functions_.print(function, values(rows));
+      c.made = functions_.print(function, values(rows));
     } catch (const Unsuitable &why) {
-      try {
-        made = functions_.print(function, values(!rows));
-      } catch (const Unsuitable &) {
-        throw why;
-      }
-      rows = !rows;
+      c.why = why;
     }
-    if (made.definition.size() > longestFunction && options_.form == Form::Auto) {
-      std::string size = std::to_string(made.definition.size() / 1000);
+    return c;
+  }
+
+  double estimate(const Candidate &c, bool rows) const { return options_.cost.estimate(c.made->operations, rows); }
+
+  // In the form that is asked for or estimated to be faster, or in the other one where that cannot be.
+  void print(const std::string &function) {
+    const bool few = coordinates() <= MOST_IN_REGISTERS, open = options_.form == Form::Auto && few;
+    bool rows = options_.form == Form::Auto ? !few : options_.form == Form::Rows;
+    std::string why = options_.form != Form::Auto ? "asked for" : few ? "estimated" : "many coordinates";
+    Candidate made[2];
+    made[rows] = candidate(function, rows);
+    if (open || !made[rows].made) made[!rows] = candidate(function, !rows);
+    if (!made[0].made && !made[1].made) throw *made[rows].why;
+    const bool both = made[0].made && made[1].made;
+    if (both)
+      rows = estimate(made[true], true) < estimate(made[false], false);
+    else if (!made[rows].made)
+      rows = !rows, why = "the only one";
+    take(function, rows, why, made);
+  }
+
+  void take(const std::string &function, bool rows, const std::string &why, const Candidate (&made)[2]) {
+    const MotionFunction &f = *made[rows].made;
+    if (f.definition.size() > longestFunction && options_.form == Form::Auto) {
+      std::string size = std::to_string(f.definition.size() / 1000);
       diags_.add("adjoint-large", program_, model_.functions[0].function->loc, "'" + function + "' would be " + size + " kB of C");
       return;
     }
-    definitions_ += made.definition;
-    prototypes_ += made.prototype;
-    workspace_ = std::max(workspace_, made.workspace);
+    definitions_ += f.definition;
+    prototypes_ += f.prototype;
+    workspace_ = std::max(workspace_, f.workspace);
     printed_.push_back(function);
     last_ = &values(rows);
-    report_ += "  " + function + std::string(16 - function.size(), ' ') + (rows ? "rows      " : "registers ") + made.cost + "\n";
+    for (bool form : {false, true})
+      if (made[form].made) report_.forms.push_back({function, form, form == rows, why, *made[form].made, estimate(made[form], form)});
+    reportMatrices(function);
+  }
+
+  // Of the needs that have matrices; others share them.
+  void reportMatrices(const std::string &function) {
+    const long n = last_->n, columns = function == "linearise" ? 2 * n : function == "parameters" ? long(last_->parameters.size()) : n;
+    static const std::map<std::string, std::vector<std::string>> matrices = {
+        {"simulate", {"M", "A_phi", "A_psi"}}, {"linearise", {"r_y", "g_y"}}, {"parameters", {"r_p", "g_p"}}};
+    auto known = matrices.find(function);
+    if (known == matrices.end()) return;
+    for (const std::string &name : known->second) {
+      const RowClasses classes = classesOf(last_->results(function), name, columns, function == "parameters" ? columns : n);
+      if (classes.all) report_.matrices.push_back({name, classes});
+    }
+  }
+
+  std::string report() {
+    report_.model = name_;
+    const Analyses &on = options_.analyses;
+    report_.proved.push_back(last_->autonomous ? "t occurs in no equation."
+                             : on.time         ? "t occurs in the equations."
+                                               : "t: not looked at.");
+    if (has("simulate"))
+      report_.proved.push_back(last_->constantMass() ? "M depends on parameters alone."
+                               : on.constantMass     ? "M depends on the state."
+                                                     : "M: not looked at.");
+    for (const Analysis &a : allAnalyses())
+      if (!(on.*(a.on))) report_.proved.push_back("Without " + std::string(a.name) + ": " + a.off + ".");
+    return options_.reportAsCsv ? report_.csv() : report_.text();
   }
 
   std::string fits() const {
@@ -168,7 +211,8 @@ private:
   std::unique_ptr<MotionValues> values_[2]; // in registers, in rows
   MotionValues *last_ = nullptr;
   std::vector<std::string> printed_;
-  std::string definitions_, prototypes_, report_;
+  std::string definitions_, prototypes_;
+  Report report_;
   long workspace_ = 0;
 };
 
@@ -202,6 +246,8 @@ const std::vector<std::string> &allNeeds() {
   static const std::vector<std::string> needs = {"energy", "simulate", "residual", "linearise", "tangent", "parameters"};
   return needs;
 }
+
+std::string reportHeader() { return Report::csvHeader(); }
 
 MotionText emitAdjoint(const Program &program, const Model &model, const MotionOptions &options, Diagnostics &diags) {
   Loc place = model.functions[0].function->loc;

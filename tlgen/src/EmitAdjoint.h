@@ -6,6 +6,7 @@
 
 #include "Analyses.h"
 #include "Diagnostics.h"
+#include "FormCost.h"
 
 #include <map>
 
@@ -20,14 +21,19 @@ struct MotionOptions {
   std::vector<std::string> parameters; // members to differentiate by
   Form form = Form::Auto;
   Analyses analyses;
+  FormCost cost;            // by which auto decides
+  bool reportAsCsv = false; // not as a table
 };
 
 const std::vector<std::string> &allNeeds();
 
+// The first line of a report as comma-separated values.
+std::string reportHeader();
+
 struct MotionText {
   std::string source; // functions and tables, for the model's .c file
   std::string header; // their declarations
-  std::string report; // what each function costs
+  std::string report; // see Report.h
   bool any() const { return !source.empty(); }
 };
 

@@ -11,6 +11,7 @@
 #include "Sarif.h"
 #include "Selftest.h"
 
+#include <algorithm>
 #include <csignal>
 #include <filesystem>
 #include <iostream>
@@ -106,7 +107,8 @@ int generate(const Run &run) {
   if (run.cmake) all.speakCmake();
   all.print(std::cerr);
   if (all.hasErrors()) out.clear();
-  if (!all.hasErrors()) std::cout << report;
+  const bool csv = std::any_of(run.models.begin(), run.models.end(), [](const Options &o) { return o.motion.reportAsCsv; });
+  if (!all.hasErrors() && !report.empty()) std::cout << (csv ? reportHeader() : "") << report;
   if (!run.sarif.empty()) out.push_back({run.sarif, sarifText(all)});
   return writeFiles(out) && !all.hasErrors() ? 0 : 1;
 }

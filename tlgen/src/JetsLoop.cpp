@@ -47,10 +47,8 @@ void Jets::run(const std::vector<JetOutput> &outputs, const std::vector<Node *> 
   finishLoop(nullptr, 0);
   for (Node *node : besides) keep(value(node));
   closeSums();
-  if (analyses_.demand)
-    dropUnused();
-  else
-    keepAll();
+  dropUnused();
+  if (!analyses_.demand) keepAll();
   separateFills();
   needed_ = nullptr;
 }

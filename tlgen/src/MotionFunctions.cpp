@@ -147,13 +147,11 @@ public:
     }
     return own + s;
   }
-  long workspace() const { return workspace_; }
-
-  // Operations on scalars in all iterations, and what is kept in memory.
-  std::string cost() const {
-    Operations o = schedule_.operations();
-    return "adds " + str(o.adds) + ", products " + str(o.products) + ", reciprocals " + str(o.reciprocals) + ", functions " +
-           str(o.functions) + ", memory " + str(workspace_ * long(sizeof(double))) + " bytes";
+  void count(MotionFunction &f) const {
+    f.operations = schedule_.operations();
+    f.workspace = workspace_;
+    f.tape = printer.kept();
+    for (auto &[part, rows] : rows_) f.rows += rows->kept();
   }
 
   MotionValues &values;
@@ -196,6 +194,7 @@ private:
       }
       phase.updates = results(part).updates();
       phase.kept = results(part).kept();
+      phase.columns = results(part).columns;
       all.push_back(phase);
     }
     return all;
@@ -288,8 +287,7 @@ MotionFunction MotionFunctions::define(const std::string &name, const std::strin
                      ", tl_real *restrict work)";
   f.definition = head + "\n{\n" + start + text + "  return 0;\n}\n\n";
   f.prototype = without(head, "restrict ") + ";\n";
-  f.workspace = body.workspace();
-  f.cost = body.cost();
+  body.count(f);
   return f;
 }
 

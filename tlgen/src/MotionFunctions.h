@@ -8,8 +8,11 @@
 namespace tlgen {
 
 struct MotionFunction {
-  std::string definition, prototype, cost; // cost: for --report
-  long workspace = 0;                      // numbers
+  std::string definition, prototype;
+  Operations operations; // without those of the solution of M qdd = Q, which is the same in every form
+  long tape = 0;         // numbers that loops leave behind for others
+  long rows = 0;         // numbers of tangents in memory
+  long workspace = 0;    // numbers of the caller's memory
 };
 
 class MotionFunctions {

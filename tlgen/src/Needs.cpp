@@ -162,6 +162,7 @@ void Needs::addMatrix(Results &results, Jets &jets, std::vector<JetOutput> &outp
     target.matrix = results.arrays[name] = graph_.array(name, count * columns);
   else
     target.row = results.rows[name] = jets.row(name, count);
+  if (!explicitColumns) results.columns = columns;
   emit(outputs, parts, count, target, upper && analyses_.demand);
 }
 

@@ -4,6 +4,7 @@
 #include "ModelsFile.h"
 
 #include <algorithm>
+#include <cstdlib>
 #include <iostream>
 #include <sstream>
 
@@ -39,9 +40,10 @@ Motion functions (eom/motion.h): fast ones for the runtime, at sizes that are kn
   --size MEMBER=N        the integer member of the parameter struct is N; may be repeated. Other sizes are served by the slower
                          functions that are always printed
   --parameter MEMBER,..  the members of the parameter struct that 'parameters' differentiates by
-  --form FORM            registers: straight-line code; rows: loops as in the source; auto (default): what is faster
-  --report               print on stdout what each of these functions costs
-  --without ANALYSIS,..  switch off an analysis that leaves work out, to see what it is worth; the numbers stay the same
+  --form FORM            registers: straight-line code; rows: loops as in the source; auto (default): what is estimated to be faster
+  --report, --report=csv print on stdout what each of these functions costs, why it has its form, and what was proved
+  --cost NAME=NS,..      other constants of the estimate that --form auto decides by (bench/cost measures them):
+@costs@  --without ANALYSIS,..  switch off an analysis that leaves work out, to see what it is worth; the numbers stay the same
 )";
 
 const char *const helpOfFiles = R"(
@@ -72,11 +74,19 @@ Then compile pendulum_tl.c with your program, include pendulum_tl.h, and hand pe
 Exit status: 0 written, 1 the source was refused (nothing is written), 2 wrong usage.
 )";
 
+const size_t optionColumn = 25;
+
 std::string help() {
-  std::string s = helpOfModels;
+  std::string s = helpOfModels, costs(optionColumn, ' '), analyses;
+  for (const FormCostConstant &c : formCostConstants()) {
+    std::ostringstream item;
+    item << c.name << "=" << FormCost().*(c.value) << " ns" << (&c == &formCostConstants().back() ? "\n" : ", ");
+    costs += item.str();
+  }
   for (const Analysis &a : allAnalyses())
-    s += "                         " + std::string(a.name) + std::string(14 - std::string(a.name).size(), ' ') + a.off + "\n";
-  return s + helpOfFiles;
+    analyses += std::string(optionColumn, ' ') + a.name + std::string(14 - std::string(a.name).size(), ' ') + a.off + "\n";
+  const std::string place = "@costs@";
+  return s.replace(s.find(place), place.size(), costs) + analyses + helpOfFiles;
 }
 
 std::string place; // of the line that is being read, in a file of models
@@ -183,6 +193,32 @@ bool switchOff(Options &o, const std::string &text) {
   return true;
 }
 
+bool setCosts(Options &o, const std::string &text) {
+  std::vector<std::string> given = items(text);
+  if (given.empty()) return usageError("--cost wants NAME=NS, for example --cost operation=0.3");
+  for (const std::string &item : given) {
+    size_t eq = item.find('=');
+    const auto &all = formCostConstants();
+    auto constant = std::find_if(all.begin(), all.end(), [&](const FormCostConstant &c) { return c.name == item.substr(0, eq); });
+    if (constant == all.end()) {
+      std::string names;
+      for (const FormCostConstant &c : all) names += (names.empty() ? "" : ", ") + std::string(c.name);
+      return usageError("--cost: '" + item.substr(0, eq) + "' is no constant; the constants are " + names);
+    }
+    const std::string value = eq == std::string::npos ? "" : item.substr(eq + 1);
+    char *end = nullptr;
+    const double number = std::strtod(value.c_str(), &end);
+    if (value.empty() || *end || !(number >= 0)) return usageError("--cost: '" + value + "' is no time in nanoseconds");
+    o.motion.cost.*(constant->value) = number;
+  }
+  return true;
+}
+
+bool setReport(Options &o, const std::string &format) {
+  if (format != "csv") return usageError("--report: '" + format + "' is no format; there is --report, and --report=csv");
+  return o.report = o.motion.reportAsCsv = true;
+}
+
 bool setOnce(std::string &slot, const std::string &name, const std::string &value) {
   if (!slot.empty()) return usageError(name + " is given twice");
   if (value.empty()) return usageError(name + " is empty");
@@ -206,6 +242,8 @@ bool setOption(Options &o, Run *run, const std::string &name, const std::string 
   if (name == "--size") return addSize(o, value);
   if (name == "--parameter") return addParameters(o, value);
   if (name == "--form") return setForm(o, value);
+  if (name == "--cost") return setCosts(o, value);
+  if (name == "--report") return setReport(o, value);
   if (name == "--without") return switchOff(o, value);
   if (name == "--holonomic") return o.holonomic.push_back(splitRows(value)), true;
   if (name == "--rule") return addRule(o, value);

@@ -106,6 +106,12 @@ std::string GraphPrinter::declarations() const {
   return s + (outside.empty() ? "" : "  int " + outside + ";\n");
 }
 
+long GraphPrinter::kept() const {
+  long numbers = 0;
+  for (const Array *a : declared_) numbers += a->length;
+  return numbers;
+}
+
 std::string GraphPrinter::returnSite() const {
   std::string any, which;
   for (size_t site : failing_) {

@@ -44,6 +44,8 @@ public:
   std::string returnSite() const;
   // Numbers of caller's memory that the arrays take, from work on.
   long workspace() const { return workspace_; }
+  // Numbers of all arrays, the caller's or not.
+  long kept() const;
 
 private:
   // A value as it is to be written where it is used.

@@ -50,6 +50,12 @@ std::string RowPrinter::declarations(long offset) const {
   return s;
 }
 
+long RowPrinter::kept() const {
+  long numbers = 0;
+  for (const Row *row : declared_) numbers += row->count * places_.at(row).stride;
+  return numbers;
+}
+
 std::string RowPrinter::at(const Row *row, const Node *which) {
   const Place &p = place(row);
   if (!which || (which->isConstant() && which->offset == 0)) return p.name;

@@ -18,6 +18,8 @@ public:
   // Declarations that go before the first phase; the rows in caller's memory begin at work + offset. To be asked for last.
   std::string declarations(long offset) const;
   long workspace() const { return workspace_; }
+  // Numbers of all rows that are not results.
+  long kept() const;
 
 private:
   struct Place {

@@ -62,12 +62,16 @@ long iterations(const Loop *loop) {
   return all;
 }
 
-void countOperation(const Node *n, Operations &to) {
-  long times = iterations(n->loop);
-  if (n->op == Node::Add) to.adds += times;
-  if (n->op == Node::Mul && !n->args[0]->is(-1)) to.products += times;
-  if (n->op == Node::Recip) to.reciprocals += times;
-  if (n->op == Node::Math || n->op == Node::Taylor) to.functions += times;
+bool isOperation(const Node *n) {
+  return n->op == Node::Add || n->op == Node::Mul || n->op == Node::Recip || n->op == Node::Math || n->op == Node::Taylor;
+}
+
+// Sums over rows of so many columns, half of them where the columns end or begin by the loop's number.
+long vectorsOf(const RowUpdate &u, long columns) {
+  const long lanes = 8, terms = long(std::count_if(u.sum.begin(), u.sum.end(), [](const auto &part) { return part.first->row; }));
+  const bool varying = (u.bound && !u.bound->isConstant()) || (u.from && !u.from->isConstant());
+  const long width = (columns + lanes - 1) / lanes;
+  return terms * (varying ? (width + 1) / 2 : width);
 }
 
 std::vector<Node *> nodesOf(const RowUpdate &u) {
@@ -321,8 +325,8 @@ void Schedule::batchAlone(Node *n) {
 void Schedule::countUses() {
   Needed needed = need(0, true);
   arrays_ = needed.arrays;
+  countOperations(needed);
   for (const Node *n : needed.nodes) {
-    countOperation(n, operations_);
     if (n->op != Node::Taylor) continue;
     int &order = highest_[{n->text, n->args[0]}];
     order = std::max(order, n->which);
@@ -350,6 +354,27 @@ void Schedule::countUses() {
   for (const Node *n : kept_) use(n, n->loop);
   for (const RowUpdate *u : needed.updates)
     for (const Node *n : nodesOf(*u)) use(n, n->loop), use(n, n->loop); // in the midst of a loop over columns: by name
+}
+
+void Schedule::countOperations(const Needed &needed) {
+  Operations &o = operations_;
+  for (const Node *n : needed.nodes) {
+    const long times = iterations(n->loop);
+    o.values += isOperation(n);
+    if (n->op == Node::Add) o.adds += times;
+    if (n->op == Node::Mul && !n->args[0]->is(-1)) o.products += times;
+    if (n->loop && (n->op == Node::Add || n->op == Node::Mul)) o.repeated += times;
+    if (n->op == Node::Recip) o.reciprocals += times;
+    if ((n->op == Node::Math || n->op == Node::Taylor) && !place(n)) o.functions += times;
+  }
+  for (const Batch *b : needed.batches) o.functions += b->loop ? iterations(b->loop) : long(b->args.size()) * iterations(loopOf(*b));
+  for (const Loop *l : needed.loops) o.iterations += iterations(l);
+  for (const Phase &phase : phases_)
+    for (const RowUpdate &u : phase.updates) {
+      const long times = iterations(blockOf(u));
+      for (auto &[direction, factor] : u.sum) o.adds += direction->column ? times : 0;
+      o.vectors += vectorsOf(u, phase.columns) * times;
+    }
 }
 
 bool Schedule::isUsedOnce(const Node *node) const {

@@ -7,6 +7,7 @@
 #define TLGEN_SCHEDULE_H
 
 #include "Jets.h"
+#include "Operations.h"
 
 #include <memory>
 #include <set>
@@ -19,6 +20,7 @@ struct Phase {
   std::vector<const Array *> arrays;
   std::vector<RowUpdate> updates;
   std::vector<Node *> kept = {};
+  long columns = 0; // of the rows
 };
 
 // sin and cos, or another function of math.h, at many arguments by one statement.
@@ -67,11 +69,6 @@ struct Item {
 // The statements of each loop's body in order; null: those outside of all loops.
 using Blocks = std::unordered_map<const Loop *, std::vector<Item>>;
 
-// How much is to be done, all iterations counted where their number is known.
-struct Operations {
-  long adds = 0, products = 0, reciprocals = 0, functions = 0;
-};
-
 class Schedule {
 public:
   Schedule(Graph &graph, std::vector<Phase> phases);
@@ -110,6 +107,7 @@ private:
   void makeChecks();
   void makeBatches();
   void countUses();
+  void countOperations(const Needed &needed);
   Needed need(size_t phase, bool all);
   void batchScalars(const std::vector<Node *> &nodes);
   bool batchInLoop(Node *node);

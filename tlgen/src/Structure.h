@@ -12,6 +12,16 @@ std::vector<Node *> valuesOf(const Results &results, const std::string &name);
 // Whether some of the values depend on an input of one of the kinds, conditions and indices included.
 bool dependOn(const std::vector<Node *> &values, const std::set<Slot::Kind> &kinds);
 
+// What is known of a matrix's rows before they are computed: a row is zero, has entries in the columns of one coordinate, in the first
+// coordinates' columns, or anywhere. entries: that can be other than zero, of all.
+struct RowClasses {
+  long zero = 0, local = 0, prefix = 0, dense = 0;
+  long entries = 0, all = 0;
+};
+
+// Of a matrix with so many columns, of n coordinates.
+RowClasses classesOf(const Results &results, const std::string &name, long columns, long n);
+
 // Whether M, of simulate, depends on parameters alone.
 bool isMassConstant(const Results &simulate);
 

@@ -50,6 +50,9 @@ expect 2 "--parameter wants names" "$tlgen" "${good[@]}" --parameter ,mass
 expect 2 "wants --parameter" "$tlgen" "${good[@]}" --need parameters
 expect 2 "'columns' is no form" "$tlgen" "${good[@]}" --form columns
 expect 2 "'activty' is no analysis; the analyses are activity, demand" "$tlgen" "${good[@]}" --without activty
+expect 2 "'speed' is no constant; the constants are operation" "$tlgen" "${good[@]}" --cost speed=1
+expect 2 "'-1' is no time in nanoseconds" "$tlgen" "${good[@]}" --cost vector=-1
+expect 2 "'xml' is no format" "$tlgen" "${good[@]}" --report=xml
 expect 1 "[no-file]" "$tlgen" missing.c --lagrangian L --dof 1
 expect 1 "[no-file]" "$tlgen" . --lagrangian L --dof 1 --model m -o m.c
 expect 1 "[no-file]" "$tlgen" "${good[@]}" -p missing
