@@ -32,7 +32,7 @@ struct FormCostConstant {
 const std::vector<FormCostConstant> &formCostConstants();
 
 // Coordinates up to which registers can be faster at all; above, they are not even made in order to be counted.
-const long MOST_IN_REGISTERS = 16;
+const long MOST_IN_REGISTERS = 8;
 
 } // namespace tlgen
 
