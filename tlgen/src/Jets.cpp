@@ -236,7 +236,6 @@ Tangents Jets::readTangents(Node *node, int power) {
   }
   for (auto &[column, array] : stored.columns[power]) sum[this->column(here(column))] = graph_.read(array, index);
   Node *bound = here(stored.bound[power]);
-  if (stored.view[power]) sum[direction({0, nullptr, stored.view[power], nullptr, bound, false})] = graph_.number(1);
   if (stored.rows[power]) sum[direction({0, nullptr, stored.rows[power], index, bound, false})] = graph_.number(1);
   if (stored.wide[power])
     for (long j = 0; j < columns_; ++j) sum[column(graph_.integer(j))] = graph_.read(stored.wide[power], wideIndex(index, j));

@@ -154,7 +154,7 @@ private:
     std::vector<std::pair<Place, Node *>> own; // places with a number (the Carried node) or row (null) of their own
     std::map<Place, Tangents> ends;            // of rows, as sums over rows that the iteration began with or has updated
   };
-  // A part of the tangents of a tape's elements: factor at a column, or times the first columns of a row.
+  // A part of the tangents of an array's elements: factor at a column, or times the first columns of a row.
   struct Part {
     Node *column; // null for a row
     Row *row;
@@ -167,8 +167,7 @@ private:
     Array *c[POWERS] = {};
     Row *rows[POWERS] = {};                                  // general tangents
     std::vector<std::pair<Node *, Array *>> columns[POWERS]; // local ones: column as a function of iteration, and factors
-    Row *view[POWERS] = {};                                  // the first columns of a row that a loop has carried
-    Node *bound[POWERS] = {};                                // of rows and views, as a function of iteration
+    Node *bound[POWERS] = {};                                // of rows, as a function of iteration
     Array *wide[POWERS] = {};                                // explicit columns of arrays that are written in several places
     Loop *loop = nullptr;                                    // the loop that the functions of iteration refer to
   };
@@ -212,7 +211,6 @@ private:
   void finishWrite(Array *array, const Write &write);
   Array *newArray(const Array *like, long length);
   void storeTangents(Stored &stored, Array *array, const Write &write, int power);
-  bool storeView(Stored &stored, const Write &write, int power);
   bool splitTangents(Stored &stored, const Write &write, int power);
   Node *ownColumns(const Direction *direction, Loop *clone, Tangents &own) const;
   Node *tapedAt(const Stored &stored, Node *ofIteration, Node *index);

@@ -339,7 +339,8 @@ void Jets::storeTangents(Stored &stored, Array *array, const Write &write, int p
     }
     return;
   }
-  bool local = explicit_ || (!several && stored.loop && index == stored.loop->index);
+  const bool byIteration = !several && stored.loop && index == stored.loop->index;
+  bool local = explicit_ || byIteration;
   for (auto &[direction, factor] : t) {
     long f, o;
     local = local && direction->column && (explicit_ || linear(direction->column, stored.loop, f, o));
@@ -352,14 +353,14 @@ void Jets::storeTangents(Stored &stored, Array *array, const Write &write, int p
     }
     return;
   }
-  if (!several && storeView(stored, write, power)) return;
+  if (byIteration && !stored.loop->outer && splitTangents(stored, write, power)) return;
   if (!stored.rows[power])
     stored.rows[power] = &rows_.emplace_back(Row{int(rows_.size()), array->name, array->length, nullptr, array->summed, false});
   updates_.push_back({stored.loop, stored.rows[power], index, array->summed, false, nullptr, nullptr, t});
 }
 
-// The tangents of a tape's elements as columns of the iteration's own and as first columns of rows that iterations only add columns of
-// their own to. False where they are not of this kind.
+// The tangents of an array's elements as columns of the iteration's own and as first columns of rows that iterations only add columns
+// of their own to. False where they are not of this kind.
 bool Jets::splitTangents(Stored &stored, const Write &write, int power) {
   Loop *clone = stored.loop;
   Tangents columns;
@@ -407,42 +408,6 @@ Node *Jets::ownColumns(const Direction *direction, Loop *clone, Tangents &own) c
   }
   if (!all.any || !all.regular || all.factor <= all.last - all.first) return nullptr;
   return graph_.affine(all.last + 1, {{clone, all.factor}});
-}
-
-// A carried row that iterations only add columns of their own to need not be kept for each: an earlier state is its first columns.
-bool Jets::storeView(Stored &stored, const Write &write, int power) {
-  Loop *clone = stored.loop;
-  if (!analyses_.views || !clone || clone->outer || clone->down || value(write.index) != clone->index) return false;
-  Row *row = nullptr;
-  Fresh columns, all;
-  size_t points = 0;
-  for (auto &[direction, factor] : tangents(write.value, power)) {
-    if (direction->column) {
-      columns.add(direction->column, clone);
-      ++points;
-    } else if (row || direction->updated || direction->row->carriedBy != clone || !factor->is(1)) {
-      return false;
-    } else {
-      row = direction->row;
-    }
-  }
-  if (!row) return false;
-  for (const RowUpdate &update : updates_) {
-    if (update.row != row) continue;
-    if (update.before) return false;
-    for (auto &[direction, factor] : update.sum) {
-      if (direction->column)
-        all.add(direction->column, clone);
-      else if (direction->row != row || !factor->is(1))
-        return false;
-    }
-    if (points && points + 1 != update.sum.size()) return false;
-  }
-  if (!all.any || !all.regular || all.factor <= all.last - all.first) return false;
-  if (points && (columns.first != all.first || columns.last != all.last)) return false;
-  stored.view[power] = row;
-  stored.bound[power] = graph_.affine(points ? all.last + 1 : all.first, {{clone, all.factor}});
-  return true;
 }
 
 // What the term is the end value of in each iteration; null where it is none.
