@@ -127,6 +127,11 @@ struct Array {
 // True for values of integer type, truth values included.
 bool isInteger(const Node *n);
 
+// In the order of making, of what has an id: addresses are others in every run, and generated code must not be.
+struct ById {
+  template <class T> bool operator()(const T *a, const T *b) const { return a->id < b->id; }
+};
+
 class Graph {
 public:
   // Values. Constants are folded, products keep one Number in front, x*1, x*0, x+0 and double negation go away, products of the same

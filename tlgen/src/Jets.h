@@ -49,14 +49,7 @@ struct Direction {
   Node *from = nullptr; // columns before this one count as zero; null: none
 };
 
-struct ByNumber {
-  bool operator()(const Direction *a, const Direction *b) const { return a->id < b->id; }
-};
-using Tangents = std::map<const Direction *, Node *, ByNumber>;
-
-struct ById {
-  bool operator()(const Node *a, const Node *b) const { return a->id < b->id; }
-};
+using Tangents = std::map<const Direction *, Node *, ById>;
 
 // row[index] = or += sum of factor * row + factors at single columns. Updates of a loop's body run in their order, column by column;
 // single columns are added when all of the body's updates are done.
@@ -128,7 +121,7 @@ private:
   struct Present {
     bool c[POWERS] = {};
     bool t[POWERS] = {};
-    std::set<const Direction *, ByNumber> columns[POWERS]; // explicit ones
+    std::set<const Direction *, ById> columns[POWERS]; // explicit ones
 
     void all(bool tangents) {
       for (int p = 0; p < POWERS; ++p) c[p] = true, t[p] = tangents;

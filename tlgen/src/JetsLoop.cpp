@@ -59,11 +59,8 @@ void Jets::keep(Node *node) {
 
 // Without demand: every coefficient of every value.
 void Jets::keepAll() {
-  std::set<Node *, ById> all;
-  for (const Node *node : needed_->nodes())
-    if (!isInteger(node)) all.insert(const_cast<Node *>(node));
-  for (Node *node : all)
-    for (int power = 0; power < powers_; ++power) {
+  for (Node *node : needed_->nodes())
+    for (int power = 0; !isInteger(node) && power < powers_; ++power) {
       keep(coefficient(node, power));
       for (auto &[direction, factor] : tangents(node, power)) keep(factor);
     }

@@ -1,6 +1,7 @@
 // Reachability and order of nodes and loops.
 #include "Order.h"
 
+#include <algorithm>
 #include <tuple>
 
 namespace tlgen {
@@ -28,11 +29,14 @@ Needed::Needed(const std::vector<Node *> &nodes) {
         add(write.value);
       }
   }
+  std::sort(nodes_.begin(), nodes_.end(), ById());
   sort();
 }
 
 void Needed::add(Node *node) {
-  if (nodes_.insert(node).second) todo_.push_back(node);
+  if (!known_.insert(node).second) return;
+  todo_.push_back(node);
+  nodes_.push_back(node);
 }
 
 void Needed::add(Loop *loop) {

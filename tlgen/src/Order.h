@@ -20,13 +20,14 @@ class Needed {
 public:
   explicit Needed(const std::vector<Node *> &nodes);
 
-  bool has(const Node *node) const { return nodes_.count(node) != 0; }
+  bool has(const Node *node) const { return known_.count(node) != 0; }
   bool has(const Loop *loop) const { return loops_.count(loop) != 0; }
   bool has(const Array *array) const { return arrays_.count(array) != 0; }
   // Whether what the carried value is at the end of an iteration is needed.
   bool has(const Loop *loop, size_t carried) const { return carries_.count({loop, carried}) != 0; }
 
-  const std::unordered_set<const Node *> &nodes() const { return nodes_; }
+  // In the order of making.
+  const std::vector<Node *> &nodes() const { return nodes_; }
   // The steps of a loop's body (null: outside of all), in order.
   const std::vector<Step> &steps(const Loop *loop) const;
 
@@ -35,10 +36,10 @@ private:
   void add(Loop *loop);
   void sort();
 
-  std::vector<Node *> todo_;
-  std::unordered_set<const Node *> nodes_;
-  std::set<const Loop *> loops_;
-  std::set<const Array *> arrays_;
+  std::vector<Node *> todo_, nodes_;
+  std::unordered_set<const Node *> known_;
+  std::set<const Loop *, ById> loops_;
+  std::set<const Array *, ById> arrays_;
   std::set<std::pair<const Loop *, size_t>> carries_;
   std::map<const Loop *, std::vector<Step>> steps_;
 };

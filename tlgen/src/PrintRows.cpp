@@ -22,22 +22,27 @@ RowPrinter::RowPrinter(GraphPrinter &printer, const Schedule &schedule, long col
                        std::function<std::string(const std::string &)> fresh)
     : printer_(printer), schedule_(schedule), columns_(columns), fresh_(std::move(fresh)) {}
 
-void RowPrinter::bind(const Row *row, const std::string &name, long stride) { places_[row] = {name, stride, false}; }
+void RowPrinter::bind(const Row *row, const std::string &name, long stride) { put(row, {name, stride, false}); }
+
+const RowPrinter::Place &RowPrinter::put(const Row *row, const Place &place) {
+  rows_.push_back(row);
+  return places_[row] = place;
+}
 
 const RowPrinter::Place &RowPrinter::place(const Row *row) {
   auto known = places_.find(row);
   if (known != places_.end()) return known->second;
-  if (row->given) return places_[row] = {row->name, row->given, false};
+  if (row->given) return put(row, {row->name, row->given, false});
   long stride = (columns_ + 7) / 8 * 8;
-  declared_.push_back(row);
   if (row->count > 1) workspace_ += row->count * stride;
-  return places_[row] = {fresh_(row->count > 1 ? "rows" : "row"), stride, true};
+  return put(row, {fresh_(row->count > 1 ? "rows" : "row"), stride, true});
 }
 
 std::string RowPrinter::declarations(long offset) const {
   std::string s;
-  for (const Row *row : declared_) {
+  for (const Row *row : rows_) {
     const Place &p = places_.at(row);
+    if (!p.ours) continue;
     if (row->count > 1) {
       s += "  tl_real *const restrict " + p.name + " = work + " + std::to_string(offset) + ";\n";
       offset += row->count * p.stride;
@@ -45,14 +50,16 @@ std::string RowPrinter::declarations(long offset) const {
       s += "  TL_ALIGNED tl_real " + p.name + "[" + std::to_string(p.stride) + "] = {0};\n";
     }
   }
-  for (auto &[row, p] : places_)
+  for (const Row *row : rows_) {
+    const Place &p = places_.at(row);
     if (row->summed) s += "  for (int i = 0; i < " + std::to_string(row->count * p.stride) + "; ++i) " + p.name + "[i] = 0.0;\n";
+  }
   return s;
 }
 
 long RowPrinter::kept() const {
   long numbers = 0;
-  for (const Row *row : declared_) numbers += row->count * places_.at(row).stride;
+  for (const Row *row : rows_) numbers += places_.at(row).ours ? row->count * places_.at(row).stride : 0;
   return numbers;
 }
 

@@ -29,6 +29,7 @@ private:
   };
   using Updates = std::vector<RowUpdate>;
 
+  const Place &put(const Row *row, const Place &place);
   const Place &place(const Row *row);
   std::string at(const RowUpdate &update);
   std::string at(const Row *row, const Node *index);
@@ -46,7 +47,7 @@ private:
   long columns_;
   std::function<std::string(const std::string &)> fresh_;
   std::map<const Row *, Place> places_;
-  std::vector<const Row *> declared_;
+  std::vector<const Row *> rows_;     // those of places_, in the order of finding
   std::set<const Row *> olds_, news_; // rows whose content before, and after, this body's updates is in a local
   long workspace_ = 0;
 };

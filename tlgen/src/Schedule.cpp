@@ -227,7 +227,7 @@ std::set<const Node *> Schedule::computing() const {
 // plain arithmetic: nobody needs its derivatives, and a value that does not exist shows in the results.
 void Schedule::makeChecks() {
   std::vector<Node *> nodes = need(0, true).nodes;
-  std::sort(nodes.begin(), nodes.end(), [](const Node *a, const Node *b) { return a->id < b->id; });
+  std::sort(nodes.begin(), nodes.end(), ById());
   std::set<const Node *> values = computing();
   std::unordered_map<const Node *, bool> passive;
   for (Node *n : nodes) {
@@ -304,7 +304,7 @@ bool Schedule::batchInLoop(Node *n) {
 
 void Schedule::makeBatches() {
   std::vector<Node *> nodes = need(0, true).nodes;
-  std::sort(nodes.begin(), nodes.end(), [](const Node *a, const Node *b) { return a->id < b->id; });
+  std::sort(nodes.begin(), nodes.end(), ById());
   batchScalars(nodes);
   for (Node *n : nodes)
     if (n->op == Node::Math && n->loop && !batchInLoop(n) && isTrig(n)) batchAlone(n);

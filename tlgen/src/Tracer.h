@@ -85,15 +85,23 @@ struct Mark {
   Node *carried;
 };
 
+// By object and offset.
+using ElementPlace = std::pair<int, Node *>;
+struct ByElementPlace {
+  bool operator()(const ElementPlace &a, const ElementPlace &b) const {
+    return std::make_pair(a.first, a.second->id) < std::make_pair(b.first, b.second->id);
+  }
+};
+
 // A loop that is being kept: what one iteration finds and leaves, found out in several passes.
 struct Kept {
   Loop *loop = nullptr;
   int pass = 0;
   State before;
-  std::map<std::pair<int, long>, Mark> cells;                    // by object and cell
-  std::map<std::pair<int, Node *>, Mark> elements;               // by object and offset
-  std::map<int, std::vector<Node *>> written;                    // offsets of elements that depend on the loop, by object
-  std::map<std::pair<int, Node *>, std::vector<Node *>> earlier; // what was written there 1, 2.. iterations before
+  std::map<std::pair<int, long>, Mark> cells; // by object and cell
+  std::map<ElementPlace, Mark, ByElementPlace> elements;
+  std::map<int, std::vector<Node *>> written;                          // offsets of elements that depend on the loop, by object
+  std::map<ElementPlace, std::vector<Node *>, ByElementPlace> earlier; // what was written there 1, 2.. iterations before
 };
 
 // Thrown where a comparison of a loop's iteration number with a constant changes its result at that number.

@@ -15,7 +15,6 @@ public:
   Varied(const Needed &needed, const std::set<const Slot *> &slots);
 
   bool has(const Node *node) const { return nodes_.count(node) != 0; }
-  const std::unordered_set<const Node *> &nodes() const { return nodes_; }
 
 private:
   void findIn(const Loop *loop, bool &changed);

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# One model: for each line of VARIANTS, a file here, tlgen prints its motion functions with these options, the compiler takes them without a
-# warning, and check.c compares them with the model's jets. One form may be unsuitable, the automatic choice may not. For a model of
-# unsuitable.txt tlgen must say why there are none.
+# One model: for each line of VARIANTS, a file here, tlgen prints its motion functions with these options, the same in every run, the
+# compiler takes them without a warning, and check.c compares them with the model's jets. One form may be unsuitable, the automatic
+# choice may not. For a model of unsuitable.txt tlgen must say why there are none.
 #   adjoint.sh VARIANTS NAME TLGEN REFERENCE|random COMPILER|each TLGEN-ARGUMENT.. -- COMPILER-ARGUMENT.. -- OBJECT OR LIBRARY..
 # COMPILER: with its options, in the place of those of VARIANTS.
 set -uo pipefail
@@ -37,6 +37,8 @@ while IFS='|' read -r compiler variant; do
   command -v "${compile[0]}" >/dev/null || { echo "no ${compile[0]} here"; continue; }
   tried=$((tried + 1))
   print "${options[@]}" || { cat "$work/said"; fail tlgen; continue; }
+  mv "$work/${name}_tl.c" "$work/first"
+  print "${options[@]}" && cmp -s "$work/first" "$work/${name}_tl.c" || fail "tlgen prints other code in another run"
   if [[ $variant != *auto* ]] && grep -q '\[adjoint-unsuitable\]' "$work/said"; then # in this form alone
     sed -n 's/.*note: \(.*\): No motion.*/no such form: \1/p' "$work/said"
     continue
