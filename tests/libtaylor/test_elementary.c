@@ -405,7 +405,7 @@ static void kinked_functions_follow_the_value(void **state) {
 }
 
 int main(int argc, char **argv) {
-  if (argc > 1) samples = atoi(argv[1]);
+  samples = test_tries(argc > 1 ? atoi(argv[1]) : samples);
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(functions_agree_with_mpfr_in_every_shape),
       cmocka_unit_test(first_derivatives_keep_their_digits_near_the_ends),

@@ -168,7 +168,7 @@ static void results_may_replace_arguments(void **state) {
 }
 
 int main(int argc, char **argv) {
-  if (argc > 1) points = atoi(argv[1]);
+  points = test_tries(argc > 1 ? atoi(argv[1]) : points);
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(arguments_of_every_size),
       cmocka_unit_test(arguments_of_mechanisms),

@@ -1,6 +1,7 @@
 /* The table of libtaylor's errors: function by order by worst error in ulp. See HELP for the definitions. */
 #include "close.h"
 #include "functions.h"
+#include "random.h"
 #include "reference_function.h"
 
 #include <math.h>
@@ -173,6 +174,7 @@ int main(int argc, char **argv) {
     fputs(HELP, stderr);
     return 2;
   }
+  points = test_tries(points);
   printf("%d points; worst error in ulp where well-conditioned, order 0..4 | in ulp/condition elsewhere, order 0..4\n", points);
   int above = 0;
   for (int i = 0; i < njet_functions; i++) {

@@ -2,6 +2,7 @@
 #include "random.h"
 
 #include <math.h>
+#include <stdlib.h>
 
 uint64_t rng_bits(rng *r) {
   uint64_t z = (r->state += UINT64_C(0x9e3779b97f4a7c15));
@@ -19,4 +20,9 @@ double rng_sign(rng *r) { return rng_bits(r) >> 63 ? 1.0 : -1.0; }
 double rng_exponent(rng *r, double lo, double hi) {
   const double u = rng_uniform(r, lo, hi), whole = floor(u);
   return ldexp(exp2(u - whole), (int)whole);
+}
+
+int test_tries(int usual) {
+  const char *most = getenv("TEST_TRIES");
+  return most && atoi(most) < usual ? atoi(most) : usual;
 }

@@ -1,4 +1,4 @@
-/* A small deterministic random generator (splitmix64): the same numbers on every machine. */
+/* A small deterministic random generator (splitmix64): the same numbers on every machine. How many of them a test takes. */
 #ifndef TEST_RANDOM_H
 #define TEST_RANDOM_H
 
@@ -21,5 +21,9 @@ double rng_sign(rng *r);
 
 /* 2^u with u uniform in [lo, hi): uniform in the exponent. */
 double rng_exponent(rng *r, double lo, double hi);
+
+/* How much a test tries, points or seconds of motion: usual, or at most the number in the environment's TEST_TRIES, which is for
+ * valgrind: it is fifty times slower, and sees the same code at each point. */
+int test_tries(int usual);
 
 #endif

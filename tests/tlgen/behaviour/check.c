@@ -196,7 +196,7 @@ static void check_function(void **state) {
 }
 
 int main(int argc, char **argv) {
-  if (argc > 1) points = atoi(argv[1]);
+  points = test_tries(argc > 1 ? atoi(argv[1]) : points);
   const eom_model *m = plain_model();
   const void *params = plain_params();
   checked list[16];
