@@ -3,7 +3,7 @@
 # compiler takes them without a warning, and check.c compares them with the model's jets. One form may be unsuitable, the automatic
 # choice may not. For a model of unsuitable.txt tlgen must say why there are none.
 #   adjoint.sh VARIANTS NAME TLGEN REFERENCE|random COMPILER|each TLGEN-ARGUMENT.. -- COMPILER-ARGUMENT.. -- OBJECT OR LIBRARY..
-# COMPILER: with its options, in the place of those of VARIANTS.
+# COMPILER: with its options, in the place of those of VARIANTS; the automatic choice of form, which is one of the others, is left out.
 set -uo pipefail
 here=$(cd "$(dirname "$0")" && pwd)
 variants=$1 name=$2 tlgen=$3 reference=${4#random} only=${5#each}
@@ -32,6 +32,7 @@ fi
 tried=0
 while IFS='|' read -r compiler variant; do
   case $compiler in '' | '#'*) continue ;; esac
+  [ "$only" ] && [[ $variant = *auto* ]] && continue
   read -ra compile <<<"${only:-$compiler}"
   read -ra options <<<"$variant"
   command -v "${compile[0]}" >/dev/null || { echo "no ${compile[0]} here"; continue; }

@@ -7,15 +7,15 @@ function(add_example name source)
   add_adjoint(${name} FOLDER ${PROJECT_SOURCE_DIR}/examples/models SOURCES ${source}.c LAGRANGIAN ${name}_lagrangian ${ARGN})
 endfunction()
 
-add_example(pendulum pendulum DOF n SIZES n=3 PARAMETERS g
-  PARAMS "&(struct pendulum){.n = 3, .g = 9.81, .mass = {1.0, 0.5, 2.0}, .length = {1.0, 1.5, 0.75}}")
+add_example(pendulum pendulum DOF n SIZES n=5 PARAMETERS g
+  PARAMS "&(struct pendulum){.n = 5, .g = 9.81, .mass = {1.0, 0.5, 2.0, 1.0, 3.0}, .length = {1.0, 1.5, 0.75, 1.0, 0.5}}")
 add_example(central_field central_field DOF 4 HOLONOMIC central_field_unit PARAMETERS m mu PARAMS "&(struct central_field){2.0, 1.7}")
 add_example(central_field_reduced central_field DOF 4 HOLONOMIC central_field_unit PARAMETERS m mu PARAMS "&(struct central_field){2.0, 1.7}")
 add_example(cart_pole cart_pole DOF 2 FORCE cart_pole_force PARAMETERS cart_mass pole_length hinge_drag
   PARAMS "&(cart_pole){1.0, 0.3, 0.8, 9.81, 2.0, 0.1, 0.02}")
 add_example(double_pendulum double_pendulum DOF 2 PARAMETERS gravity
   PARAMS "&(DoublePendulum){{1.0, 1.0, 0.5, 0.1}, {0.7, 0.8, 0.4, 0.05}, 9.81}")
-add_example(relative_chain relative_chain DOF n SIZES n=4 PARAMETERS gravity PARAMS "&(struct relative_chain){4, 9.81}")
+add_example(relative_chain relative_chain DOF n SIZES n=5 PARAMETERS gravity PARAMS "&(struct relative_chain){5, 9.81}")
 add_example(kepler kepler DOF 2)
 add_example(hoop hoop DOF 1 PARAMETERS mass radius spin PARAMS "&(struct hoop){0.5, 0.8, 9.81, 3.0, 2.0}")
 add_example(spring_pendulum spring_pendulum DOF 2 PARAMETERS rest stiffness PARAMS "&(struct spring_pendulum){1.1, 0.9, 30.0, 9.81}")
