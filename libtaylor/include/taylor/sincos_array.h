@@ -1,9 +1,9 @@
 /* Sines and cosines of several numbers at once, in vectors of four.
  *
  * With k the integer nearest to 2x/pi and r = x - k pi/2, |r| <= pi/4, sin x and cos x are +-sin r and +-cos r, or the other way round
- * where k is odd. sin r and cos r are fdlibm's polynomials of degree 13 and 14. pi/2 is the sum of four numbers; the first three have
- * so few digits that their products with k are exact, and so are the first two differences; r is carried with what its rounding leaves.
- * Larger arguments than that allows go to the C library, and so does what is no number. */
+ * where k is odd. sin r and cos r are fdlibm's polynomials of degree 13 and 14. pi/2 is the sum of some numbers whose products with k
+ * are exact but for the last: by their few digits, or because the processor rounds x - k p once. So are the first differences, and r is
+ * right to a unit in its last place. Larger arguments than that allows go to the C library, and so does what is no number. */
 #ifndef TAYLOR_SINCOS_ARRAY_H
 #define TAYLOR_SINCOS_ARRAY_H
 
@@ -16,6 +16,19 @@
 
 typedef unsigned long long tl_u4 __attribute__((vector_size(4 * sizeof(unsigned long long))));
 
+/* x - k pi/2, k an integer and |k| <= 2^20. */
+TL_INLINE void tl_sincos_reduce(tl_v4 *r, const tl_v4 *x, const tl_v4 *k) {
+#if defined(__FMA__) && defined(__AVX__)
+  typedef double four __attribute__((vector_size(32)));
+#define TL_SINCOS_LESS(rest, p) __builtin_ia32_vfmaddpd256(-(four) * k, (four){p, p, p, p}, rest)
+  const four first = TL_SINCOS_LESS((four)*x, 0x1.921fb54442d18p0), second = TL_SINCOS_LESS(first, 0x1.1a62633145c06p-54);
+  *r = (tl_v4)TL_SINCOS_LESS(second, 0x1.c1cd129024e08p-107);
+#undef TL_SINCOS_LESS
+#else
+  *r = *x - *k * 0x1.921fb544p0 - *k * 0x1.0b46p-34 - *k * 0x1.1a626331p-54 - *k * 0x1.1701b839a252p-88;
+#endif
+}
+
 /* Four at once. 1 where one of them is too large, or no number, and has no result. */
 TL_INLINE int tl_sincos_four(tl_v4 *sine, tl_v4 *cosine, const tl_v4 *argument) {
   const tl_v4 x = *argument;
@@ -23,8 +36,8 @@ TL_INLINE int tl_sincos_four(tl_v4 *sine, tl_v4 *cosine, const tl_v4 *argument) 
   const unsigned long long sign = 1ULL << 63;
   /* Each sum has one product at most, so that a compiler that contracts them has no choice, and a number's result no company. */
   const tl_v4 shifted = x * 0x1.45f306dc9c883p-1 + shift, k = shifted - shift;
-  const tl_v4 exact = x - k * 0x1.921fb544p0 - k * 0x1.0b46p-34, r = exact - k * 0x1.1a626331p-54;
-  const tl_v4 rest = exact - r - k * 0x1.1a626331p-54 - k * 0x1.1701b839a252p-88;
+  tl_v4 r;
+  tl_sincos_reduce(&r, &x, &k);
 
   const tl_v4 z = r * r, z2 = z * z, z4 = z2 * z2;
   const tl_v4 p0 = -1.66666666666666307295e-01 + z * 8.33333333332211858878e-03;
@@ -33,8 +46,8 @@ TL_INLINE int tl_sincos_four(tl_v4 *sine, tl_v4 *cosine, const tl_v4 *argument) 
   const tl_v4 q0 = 4.16666666666665929218e-02 + z * -1.38888888888730564116e-03;
   const tl_v4 q1 = 2.48015872888517045348e-05 + z * -2.75573141792967388112e-07;
   const tl_v4 q2 = 2.08757008419747316778e-09 + z * -1.13585363213876817300e-11;
-  const tl_v4 p01 = p0 + z2 * p1, q01 = q0 + z2 * q1, half = 1.0 - 0.5 * z;
-  const tl_v4 s = r + (rest + r * z * (p01 + z4 * p2)), c = half + r * (r * (z * (q01 + z4 * q2)) - rest);
+  const tl_v4 p01 = p0 + z2 * p1, q01 = q0 + z2 * q1, half = 0.5 - z * (q01 + z4 * q2);
+  const tl_v4 s = r + r * z * (p01 + z4 * p2), c = 1.0 - z * half;
 
   const tl_u4 quarter = (tl_u4)shifted, odd = -(quarter & 1);
   const tl_u4 s_bits = (tl_u4)s | ((tl_u4)r & sign), c_bits = (tl_u4)c; /* the sum above loses the sign of zero */
