@@ -2,7 +2,7 @@
 #include "close.h"
 #include "taylor/finite.h"
 
-enum { LONGEST = 40 };
+enum { LONGEST = 80 };
 
 static void one_number_decides(void **state) {
   (void)state;

@@ -56,17 +56,28 @@ static void row_may_be_added_to_itself(void **state) {
   for (int j = 0; j < 2 * TL_ROW_PAD; j++) assert_same(d[j], j < TL_ROW_PAD + 1 ? 3.0 * j : 1.0 * j);
 }
 
+/* Each number that is not finite is seen, and none behind the rows. */
 static void pairs_are_taken_apart(void **state) {
   (void)state;
-  static tl_real x[2 * LONGEST], even[ALL], odd[ALL];
+  enum { ROWS = 3, LDX = 2 * LONGEST + GUARD };
+  static tl_real x[ROWS * LDX], even[ROWS * ALL], odd[ROWS * ALL];
+  const tl_real bad[] = {(tl_real)INFINITY, -(tl_real)INFINITY, (tl_real)NAN};
   rng r = {2};
   for (int n = 0; n <= LONGEST; n++) {
-    draw(&r, x, 2 * LONGEST);
-    for (int j = 0; j < ALL; j++) even[j] = odd[j] = TL_C(9.0);
-    tl_row_unpair(even, odd, x, TL_C(-2.0), n);
-    for (int j = 0; j < ALL; j++) {
-      assert_same(even[j], j < n ? -2.0 * (double)x[2 * j] : 9.0);
-      assert_same(odd[j], j < n ? -2.0 * (double)x[2 * j + 1] : 9.0);
+    for (int k = 0; k < ROWS * LDX; k++) x[k] = k % LDX < 2 * n ? (tl_real)rng_uniform(&r, -1.0, 1.0) : (tl_real)NAN;
+    for (int k = 0; k < ROWS * ALL; k++) even[k] = odd[k] = TL_C(9.0);
+    assert_true(tl_rows_unpair(ROWS, even, odd, ALL, x, LDX, TL_C(-1.0), n));
+    for (int k = 0; k < ROWS * ALL; k++) {
+      const int j = k % ALL;
+      const tl_real *pair = x + k / ALL * LDX + 2 * j;
+      assert_same(even[k], j < n ? -(double)pair[0] : 9.0);
+      assert_same(odd[k], j < n ? -(double)pair[1] : 9.0);
+    }
+    for (int k = 0; k < ROWS * LDX; k++) {
+      const tl_real was = x[k];
+      x[k] = bad[k % 3];
+      assert_int_equal(tl_rows_unpair(ROWS, even, odd, ALL, x, LDX, TL_C(1.0), n), k % LDX >= 2 * n);
+      x[k] = was;
     }
   }
 }

@@ -50,7 +50,7 @@ private:
     if (!motion_.any()) return "";
     auto calls = [&](const char *name) { return motion_.source.find(name) != std::string::npos; };
     return std::string("\n#include \"eom/motion.h\"\n#include \"taylor/finite.h\"\n#include \"taylor/ldl.h\"\n") +
-           (calls("tl_power") ? "#include \"taylor/power.h\"\n" : "") + (calls("tl_row_") ? "#include \"taylor/row.h\"\n" : "") +
+           (calls("tl_power") ? "#include \"taylor/power.h\"\n" : "") + (calls("tl_row") ? "#include \"taylor/row.h\"\n" : "") +
            "#include \"taylor/sincos_array.h\"\n\n"
            "#ifdef __clang__\n#pragma clang diagnostic ignored \"-Wpass-failed\" /* a loop that is not worth a vector */\n#endif\n";
   }

@@ -97,13 +97,22 @@ public:
     return unpack(part, name, to, from, count, columns, stride);
   }
 
-  // Copies a matrix to an output; rows of r_y and g_y have the columns of a coordinate and its velocity side by side.
+  // Rows of r_y and g_y have the columns of a coordinate and its velocity side by side.
+  bool paired(size_t part, const std::string &name) { return results(part).rows.count(name) && (name == "r_y" || name == "g_y"); }
+
+  // Copies a matrix to an output. Pairs of columns are taken apart, and seen to be finite on the way.
   std::string unpack(size_t part, const std::string &name, const std::string &to, const std::string &from, long count, long columns,
                      long stride, const std::string &sign = "") {
-    bool paired = results(part).rows.count(name) && (name == "r_y" || name == "g_y");
-    if (!paired) return each(count, columns, to + "[i*" + str(columns) + " + j] = " + sign + from + "[i*" + str(stride) + " + j];");
-    std::string row = to + " + i*" + str(columns), read = from + " + i*" + str(stride), half = str(columns / 2);
-    return each(count, "tl_row_unpair(" + row + ", " + row + " + " + half + ", " + read + ", " + sign + "1.0, " + half + ");");
+    if (!paired(part, name))
+      return each(count, columns, to + "[i*" + str(columns) + " + j] = " + sign + from + "[i*" + str(stride) + " + j];");
+    std::string half = str(columns / 2);
+    return "  if (!tl_rows_unpair(" + str(count) + ", " + to + ", " + to + " + " + half + ", " + str(columns) + ", " + from + ", " +
+           str(stride) + ", " + sign + "1.0, " + half + ")) return EOM_MOTION_NOT_FINITE;\n";
+  }
+
+  // The test that a matrix is finite, where unpack has none.
+  std::string checkFinite(size_t part, const std::string &name, const std::string &to, long count) {
+    return paired(part, name) ? "" : finite(count, to);
   }
 
   // Declares an array of so many numbers: on the stack in straight-line code, in the caller's memory otherwise.
@@ -337,7 +346,7 @@ std::string MotionFunctions::derivatives(Body &body, const std::string &suffix, 
   long n = body.values.n, m = body.values.m1 + body.values.m2;
   std::string r = "r_" + suffix, g = "g_" + suffix;
   std::string copies = body.output(0, r, r, n, columns) + body.output(0, g, g, m, columns);
-  return body.printChecked(0) + copies + finite(n * columns, r) + finite(m * columns, g);
+  return body.printChecked(0) + copies + body.checkFinite(0, r, r, n * columns) + body.checkFinite(0, g, g, m * columns);
 }
 
 // One direction after the other.
@@ -350,19 +359,18 @@ std::string MotionFunctions::tangent(Body &body) {
   return s + (m ? finite(str(m) + "*k", "g_w") : "");
 }
 
-// M and Q, and qdd from them.
+// M and Q, and qdd from them. The pivots are looked at when the result is in its place, so that no compiler makes it wait for them.
 std::string MotionFunctions::solve(Body &body) {
   long n = body.values.n, ld = padded(n);
   body.matrix(0, "M", body.memory("M", n * ld), n, ld);
   body.vector(0, "Q", body.memory("Q", n) + "[%]");
   body.memory("qdd", n), body.memory("dinv", 2 * padded(n)); // TL_LDL_DIAGONAL(n)
-  return body.printChecked(0) + "  const tl_real pivot = tl_ldl_factor_solve(" + str(n) + ", qdd, M, " + str(ld) +
-         ", dinv, Q);\n  if (!(pivot > EOM_MOTION_LEAST_PIVOT(" + str(n) + "))) return EOM_MOTION_PIVOT;\n";
+  return body.printChecked(0) + "  const tl_real pivot = tl_ldl_factor_solve(" + str(n) + ", qdd, M, " + str(ld) + ", dinv, Q);\n" +
+         each(n, "solved[i] = qdd[i];") + "  if (!(pivot * EOM_MOTION_LEAST_PIVOT(" + str(n) +
+         ") < TL_C(1.0))) return EOM_MOTION_PIVOT;\n";
 }
 
-std::string MotionFunctions::acceleration(Body &body) {
-  return solve(body) + each(body.values.n, "solved[i] = qdd[i];") + finite(body.values.n, "qdd");
-}
+std::string MotionFunctions::acceleration(Body &body) { return solve(body) + finite(body.values.n, "qdd"); }
 
 std::string MotionFunctions::jacobian(Body &body) {
   long n = body.values.n, columns = 2 * n, ld = padded(columns);
@@ -370,8 +378,8 @@ std::string MotionFunctions::jacobian(Body &body) {
   std::string s = solve(body);
   s += body.printChecked(1) + "  tl_ldl_solve_many(" + str(n) + ", " + str(columns) + ", B, " + str(ld) + ", M, " + str(padded(n)) +
        ", dinv);\n";
-  return s + each(n, "solved[i] = qdd[i];") + body.unpack(1, "r_y", "qdd_y", "B", n, columns, ld, "-") + finite(n, "qdd") +
-         finite(n * columns, "qdd_y");
+  return s + body.unpack(1, "r_y", "qdd_y", "B", n, columns, ld, "-") + finite(n, "qdd") +
+         body.checkFinite(1, "r_y", "qdd_y", n * columns);
 }
 
 std::string MotionFunctions::directional(Body &body) {
@@ -380,7 +388,7 @@ std::string MotionFunctions::directional(Body &body) {
   std::string s = solve(body);
   s += "  for (int c = 0; c < k; ++c) {\n" + indented(body.print(1)) + "    tl_ldl_solve(" + str(n) + ", B, M, " + str(padded(n)) +
        ", dinv, B);\n  " + each(n, "dqdd[i*k + c] = -B[i];") + "  }\n";
-  return s + body.printer.returnSite() + each(n, "solved[i] = qdd[i];") + finite(n, "qdd") + finite(str(n) + "*k", "dqdd");
+  return s + body.printer.returnSite() + finite(n, "qdd") + finite(str(n) + "*k", "dqdd");
 }
 
 } // namespace tlgen

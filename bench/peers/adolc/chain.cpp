@@ -84,7 +84,7 @@ int acceleration(void *self, const double *q, const double *qd, double *qdd) {
     for (int j = i; j < N; j++) c.M[i * LD + j] = c.motion.out[j][N + i][1];
     qdd[i] = c.motion.out[N][i][0] - c.motion.out[N][N + i][1];
   }
-  return !(tl_ldl_factor_solve(N, qdd, c.M, LD, c.dinv, qdd) > 0.0);
+  return !(tl_ldl_factor_solve(N, qdd, c.M, LD, c.dinv, qdd) <= TL_MAX);
 }
 
 /* h: of the size of v, so that the difference of two paths loses no digits. */

@@ -89,7 +89,7 @@ static int solve_motion(chain *c, const evaluation *e, const double *qd, double 
     for (int j = i; j < N; j++) c->M[i * LD + j] = e->L[pair(s, U + i, U + j)];
     qdd[i] = Q;
   }
-  return !(tl_ldl_factor_solve(N, qdd, c->M, LD, c->dinv, qdd) > 0.0);
+  return !(tl_ldl_factor_solve(N, qdd, c->M, LD, c->dinv, qdd) <= TL_MAX);
 }
 
 /* c->dr = -dr/dy. */

@@ -48,10 +48,7 @@ TL_INLINE void tl_ldl_extend(tl_ldl_range *range, tl_real inverse, tl_real entry
   range->least = range->least < inverse ? range->least : inverse;
 }
 
-TL_INLINE tl_real tl_ldl_ratio(const tl_ldl_range *range) {
-  const int sound = range->least > TL_C(0.0) && range->largest <= TL_MAX;
-  return sound ? TL_C(1.0) / range->largest : TL_C(0.0);
-}
+TL_INLINE tl_real tl_ldl_ratio(const tl_ldl_range *range) { return range->least > TL_C(0.0) ? range->largest : (tl_real)HUGE_VAL; }
 
 /* ---- straight-line code ---- */
 
@@ -498,10 +495,10 @@ TL_INLINE void tl_ldl_solve_many_blocks(int n, int k, tl_real *b, int ldb, const
 
 /* ---- what a caller uses ---- */
 
-/* Factors the M in w. Returns the pivot ratio 1/max_i(M_ii/d_i): 1 for a diagonal M, and never much less than the inverse of the
- * condition number of M scaled to a diagonal of ones; 0 where a pivot is not positive or out of range (M is then not positive definite
- * to working precision, or its numbers are beyond the square root of the range of numbers), and nothing in w and d is of use. Never a
- * NaN. */
+/* Factors the M in w. Returns the pivot ratio max_i(M_ii/d_i): 1 for a diagonal M, and never much more than the condition number of M
+ * scaled to a diagonal of ones; infinite or no number where a pivot is not positive or out of range (M is then not positive definite to
+ * working precision, or its numbers are beyond the square root of the range of numbers), and nothing in w and d is of use: so what
+ * serves has a ratio <= TL_MAX. */
 TL_INLINE tl_real tl_ldl_factor(int n, tl_real *w, int ld, tl_real *d) {
 #if TL_VECTORS
   if (n > TL_LDL_SCALAR) return tl_ldl_factor_blocks(n, w, ld, d, NULL);
@@ -526,7 +523,7 @@ TL_INLINE void tl_ldl_solve(int n, tl_real *x, const tl_real *w, int ld, tl_real
   TL_UNROLL for (int i = 0; i < n; i++) x[i] = y[i];
 }
 
-/* Both at once, which is faster. x has no meaning where the ratio is 0. */
+/* Both at once, which is faster. x has no meaning where the ratio is not finite. */
 TL_INLINE tl_real tl_ldl_factor_solve(int n, tl_real *x, tl_real *w, int ld, tl_real *d, const tl_real *b) {
 #if TL_VECTORS
   if (n > TL_LDL_SCALAR) {

@@ -69,20 +69,36 @@ TL_INLINE void tl_row_add_two(tl_real *d, const tl_real *x, tl_real a, const tl_
 #endif
 }
 
-/* even[j] = m*x[2*j] and odd[j] = m*x[2*j + 1] for j < n, and nothing beyond these. The rows do not overlap. */
-TL_INLINE void tl_row_unpair(tl_real *even, tl_real *odd, const tl_real *x, tl_real m, int n) {
-  int j = 0;
+/* Takes apart the pairs of so many rows of x, ldx numbers apart: even[i*ld + j] = m*x[i*ldx + 2*j] and odd[i*ld + j] =
+ * m*x[i*ldx + 2*j + 1] for j < n, and nothing beyond these. m is 1 or -1. The arrays do not overlap. 1 where all these numbers are
+ * finite, 0 elsewhere. */
+TL_INLINE int tl_rows_unpair(int rows, tl_real *even, tl_real *odd, int ld, const tl_real *x, int ldx, tl_real m, int n) {
+  tl_real sum = TL_C(0.0); /* of 0 x, as in finite.h */
 #if TL_VECTORS
-  for (; j + 4 <= n; j += 4) {
-    const tl_v4 low = TL_V4_CONST(x + 2 * j), high = TL_V4_CONST(x + 2 * j + 4);
-    TL_V4(even + j) = m * __builtin_shufflevector(low, high, 0, 2, 4, 6);
-    TL_V4(odd + j) = m * __builtin_shufflevector(low, high, 1, 3, 5, 7);
-  }
+  tl_v4 low_sum = {TL_C(0.0)}, high_sum = {TL_C(0.0)};
 #endif
-  for (; j < n; j++) {
-    even[j] = m * x[2 * j];
-    odd[j] = m * x[2 * j + 1];
+  for (int i = 0; i < rows; i++, even += ld, odd += ld, x += ldx) {
+    int j = 0;
+#if TL_VECTORS
+    for (; j + 4 <= n; j += 4) {
+      const tl_v4 low = TL_V4_CONST(x + 2 * j), high = TL_V4_CONST(x + 2 * j + 4);
+      low_sum += TL_C(0.0) * low;
+      high_sum += TL_C(0.0) * high;
+      TL_V4(even + j) = m * __builtin_shufflevector(low, high, 0, 2, 4, 6);
+      TL_V4(odd + j) = m * __builtin_shufflevector(low, high, 1, 3, 5, 7);
+    }
+#endif
+    for (; j < n; j++) {
+      sum += TL_C(0.0) * x[2 * j] + TL_C(0.0) * x[2 * j + 1];
+      even[j] = m * x[2 * j];
+      odd[j] = m * x[2 * j + 1];
+    }
   }
+#if TL_VECTORS
+  low_sum += high_sum;
+  sum += (low_sum[0] + low_sum[1]) + (low_sum[2] + low_sum[3]);
+#endif
+  return sum == TL_C(0.0);
 }
 
 #endif
