@@ -123,12 +123,13 @@ const Tangents &Jets::tangents(Node *node, int power) {
 
 void Jets::accumulate(Tangents &sum, Node *factor, const Tangents &t) {
   if (factor->is(0)) return;
-  for (auto &[direction, value] : t) {
-    Node *&total = sum[direction];
-    Node *part = graph_.mul(factor, value);
-    total = total ? graph_.add(total, part) : part;
-    if (total->is(0)) sum.erase(direction);
-  }
+  for (auto &[direction, value] : t) accumulate(sum, direction, graph_.mul(factor, value));
+}
+
+void Jets::accumulate(Tangents &sum, const Direction *direction, Node *term) {
+  Node *&total = sum[direction];
+  total = total ? graph_.add(total, term) : term;
+  if (total->is(0)) sum.erase(direction);
 }
 
 void Jets::seed(Tangents &sum, const Node *leaf, Node *column, Node *factor) {
@@ -197,13 +198,10 @@ Tangents Jets::computeTangents(Node *node, int power) {
     return sum;
   case Node::Select: {
     const Tangents &a = tangents(args[1], power), &b = tangents(args[2], power);
-    Node *condition = value(args[0]), *zero = graph_.number(0);
-    auto of = [&](const Tangents &t, const Direction *d) {
-      auto found = t.find(d);
-      return found == t.end() ? zero : found->second;
-    };
+    Node *condition = value(args[0]);
     for (const Tangents *t : {&a, &b})
-      for (auto &[direction, value] : *t) sum[direction] = graph_.select(condition, of(a, direction), of(b, direction));
+      for (auto &[direction, factor] : *t)
+        sum[direction] = graph_.select(condition, number(args[1], power, direction), number(args[2], power, direction));
     return sum;
   }
   default:

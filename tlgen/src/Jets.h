@@ -175,7 +175,9 @@ private:
   Tangents computeTangents(Node *node, int power);
   Tangents finalTangents(Node *node, int power);
   Tangents readTangents(Node *node, int power);
+  // sum += factor * t, and sum += term in a direction; what cancels is not there.
   void accumulate(Tangents &sum, Node *factor, const Tangents &t);
+  void accumulate(Tangents &sum, const Direction *direction, Node *term);
   void seed(Tangents &sum, const Node *leaf, Node *column, Node *factor);
   void seedAnywhere(Tangents &sum, Node *column, Node *factor);
   Node *wideIndex(Node *index, long column);
@@ -199,7 +201,7 @@ private:
   void finishOutput(const JetOutput &output);
   Node *outputNumber(const JetOutput &output, const Direction *column);
   Tangents outputRow(const JetOutput &output);
-  Node *number(Node *node, int power, const Direction *column);
+  Node *number(Node *node, int power, const Direction *direction);
   const Carry *carriedTo(const JetOutput &output, const Term &term) const;
   void finishWrite(Array *array, const Write &write);
   Array *newArray(const Array *like, long length);

@@ -198,12 +198,8 @@ void Jets::startCarried(Loop *loop, size_t k) {
   for (int p = 0; p < powers_; ++p) {
     Node *init = coefficient(carry.init, p);
     in.c[p] = p == 0 || present.c[p] ? startNumber(loop, {k, p, false, nullptr}, init) : graph_.number(0);
-    const Tangents start = tangents(carry.init, p);
-    for (const Direction *d : present.columns[p]) {
-      auto found = start.find(d);
-      in.t[p][d] = startNumber(loop, {k, p, false, d}, found == start.end() ? graph_.number(0) : found->second);
-    }
-    if (!explicit_ && present.t[p]) startRow(loop, {k, p, true, nullptr}, start, in);
+    for (const Direction *d : present.columns[p]) in.t[p][d] = startNumber(loop, {k, p, false, d}, number(carry.init, p, d));
+    if (!explicit_ && present.t[p]) startRow(loop, {k, p, true, nullptr}, tangents(carry.init, p), in);
     in.known[p] = true;
   }
   info_[carry.in] = in;
@@ -284,10 +280,7 @@ void Jets::finishCarried(Loop *loop, size_t k) {
     if (in.c[p]->op == Node::Carried && in.c[p]->of == clones_.at(loop)) graph_.setOut(in.c[p], coefficient(carry.out, p));
     const Tangents out = tangents(carry.out, p);
     if (explicit_) {
-      for (auto &[direction, carried] : in.t[p]) {
-        auto found = out.find(direction);
-        graph_.setOut(carried, found == out.end() ? graph_.number(0) : found->second);
-      }
+      for (auto &[direction, carried] : in.t[p]) graph_.setOut(carried, number(carry.out, p, direction));
     } else if (const Direction *own = carriedRow(loop, k, p, true)) {
       if (!trials_.at(loop).same.count({k, p, true, nullptr}) && !out.count(own))
         updates_.push_back({clones_.at(loop), own->row, nullptr, false, false, nullptr, nullptr, out});
@@ -330,9 +323,8 @@ void Jets::storeTangents(Stored &stored, Array *array, const Write &write, int p
   if (explicit_ && several) {
     if (!stored.wide[power]) stored.wide[power] = newArray(array, array->length * columns_);
     for (long j = 0; j < columns_; ++j) {
-      auto found = t.find(column(graph_.integer(j)));
-      if (found != t.end() || !array->summed)
-        graph_.write(stored.wide[power], stored.loop, wideIndex(index, j), found == t.end() ? graph_.number(0) : found->second);
+      Node *tangent = number(write.value, power, column(graph_.integer(j)));
+      if (!tangent->is(0) || !array->summed) graph_.write(stored.wide[power], stored.loop, wideIndex(index, j), tangent);
     }
     return;
   }
@@ -362,25 +354,20 @@ bool Jets::splitTangents(Stored &stored, const Write &write, int power) {
   Loop *clone = stored.loop;
   Tangents columns;
   std::vector<Part> parts;
-  auto addColumn = [&](const Direction *d, Node *factor) {
-    Node *&sum = columns[d];
-    sum = sum ? graph_.add(sum, factor) : factor;
-  };
   for (auto &[direction, factor] : tangents(write.value, power)) {
     long f, o;
     if (direction->column) {
       if (!explicit_ && !linear(direction->column, clone, f, o)) return false;
-      addColumn(direction, factor);
+      accumulate(columns, direction, factor);
       continue;
     }
     Tangents own;
     Node *bound = clone->down ? nullptr : ownColumns(direction, clone, own);
     if (!bound) return false;
     parts.push_back({nullptr, direction->row, bound, factor});
-    for (auto &[column, first] : own) addColumn(column, graph_.neg(graph_.mul(factor, first)));
+    for (auto &[column, first] : own) accumulate(columns, column, graph_.neg(graph_.mul(factor, first)));
   }
-  for (auto &[direction, factor] : columns)
-    if (!factor->is(0)) parts.push_back({direction->column, nullptr, nullptr, factor});
+  for (auto &[direction, factor] : columns) parts.push_back({direction->column, nullptr, nullptr, factor});
   stored.parts[power] = std::move(parts);
   return true;
 }
@@ -415,11 +402,11 @@ const Carry *Jets::carriedTo(const JetOutput &output, const Term &term) const {
   return nullptr;
 }
 
-// A coefficient, or where a column is given that of its tangents.
-Node *Jets::number(Node *node, int power, const Direction *column) {
-  if (!column) return coefficient(node, power);
+// A coefficient, or where a direction is given that of its tangents.
+Node *Jets::number(Node *node, int power, const Direction *direction) {
+  if (!direction) return coefficient(node, power);
   const Tangents &t = tangents(node, power);
-  auto found = t.find(column);
+  auto found = t.find(direction);
   return found == t.end() ? graph_.number(0) : found->second;
 }
 
@@ -477,7 +464,7 @@ Tangents Jets::outputRow(const JetOutput &output) {
   Loop *clone = clones_.at(output.loop);
   Row *row = &rows_.emplace_back(Row{int(rows_.size()), "row", 1, clone, false, false});
   for (auto &[direction, factor] : change)
-    if (direction->column) rest[direction] = rest.count(direction) ? graph_.add(rest[direction], factor) : factor;
+    if (direction->column) accumulate(rest, direction, factor);
   change[direction({0, nullptr, row, nullptr, nullptr, false})] = graph_.number(1);
   rest[direction({0, nullptr, row, nullptr, nullptr, true})] = graph_.number(1);
   updates_.push_back({clone, row, nullptr, false, false, nullptr, nullptr, change});

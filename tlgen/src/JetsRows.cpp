@@ -79,9 +79,8 @@ const Row *Jets::tailOf(const ClosedSum &sum) {
     Graph::Replacement there = {{part.from->index, fill->index}}, by = there;
     Node *s = graph_.read(graph_.runningSums(part.factor, sum.loop), fill->index);
     for (auto &[own, value] : part.own) {
-      Node *&total = columns[column(graph_.replace(own->column, by))];
-      Node *product = graph_.mul(s, tapes_.at(value, there));
-      total = total ? graph_.add(total, product) : product;
+      const Direction *filled = column(graph_.replace(own->column, by));
+      accumulate(columns, filled, graph_.mul(s, tapes_.at(value, there)));
     }
   }
   columns[direction({0, nullptr, tail, nullptr, nullptr, false})] = graph_.number(1);
