@@ -51,11 +51,6 @@ const Guard *common(const Guard *a, const Guard *b) {
   return a;
 }
 
-// Values that are there once for a reason other than saving work: other parts compare or index by them.
-bool isSingle(const Node &n) {
-  return n.op != Node::Add && n.op != Node::Mul && n.op != Node::Recip && n.op != Node::Math && n.op != Node::Taylor;
-}
-
 // The conditions that are known where the loop's values are: a value that does not vary in a loop is computed before it.
 const Guard *visible(const Guard *guard, const Loop *loop) {
   while (guard && guard->holds->loop && !(loop && loop->within(guard->holds->loop))) guard = guard->outer;
@@ -87,6 +82,10 @@ bool isInteger(const Node *n) {
   }
 }
 
+bool isOperation(const Node *n) {
+  return n->op == Node::Add || n->op == Node::Mul || n->op == Node::Recip || n->op == Node::Math || n->op == Node::Taylor;
+}
+
 Graph::Scaled Graph::scaled(Node *n) {
   if (n->isNumber()) return {n->value, nullptr};
   if (n->op == Node::Mul && n->args[0]->isNumber()) return {n->args[0]->value, n->args[1]};
@@ -112,10 +111,11 @@ const Guard *Graph::remade(const Guard *of, const std::function<Node *(Node *)> 
   return condition == of->holds ? of : under(remade(of->outer, other), condition);
 }
 
+// Without sharing, too, values that are no operations are there once: other parts compare or index by them.
 Node *Graph::make(Node n) {
   std::string key = keyOf(n);
   auto known = known_.find(key);
-  if (known != known_.end() && (sharing || isSingle(n))) {
+  if (known != known_.end() && (sharing || !isOperation(&n))) {
     Node *old = known->second;
     if (!covers(old->guard, guard)) old->guard = common(old->guard, guard);
     return old;

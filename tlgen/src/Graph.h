@@ -127,6 +127,9 @@ struct Array {
 // True for values of integer type, truth values included.
 bool isInteger(const Node *n);
 
+// True for what the generated code computes on reals: sums, products, reciprocals and functions.
+bool isOperation(const Node *n);
+
 // In the order of making, of what has an id: addresses are others in every run, and generated code must not be.
 struct ById {
   template <class T> bool operator()(const T *a, const T *b) const { return a->id < b->id; }

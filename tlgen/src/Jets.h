@@ -21,6 +21,10 @@ class Needed;
 
 const int POWERS = 3; // of s: 1, s, s^2
 
+// Rows in memory begin so many numbers apart, or a multiple of it (TL_ROW_PAD of generated code).
+const long ROW_PAD = 8;
+inline long padded(long columns) { return (columns + ROW_PAD - 1) / ROW_PAD * ROW_PAD; }
+
 // Tangents in memory: count rows of numbers, one number per column.
 struct Row {
   int id;
@@ -63,6 +67,9 @@ struct RowUpdate {
   Tangents sum;
   bool fill = false; // single columns alone, each of them once
 };
+
+// The rows, and those that their content comes from.
+std::set<const Row *> sourcesOf(std::set<const Row *> rows, const std::vector<RowUpdate> &updates);
 
 // The coefficients of an input. tangents: column and value.
 struct LeafJet {

@@ -5,18 +5,23 @@
 
 namespace tlgen {
 
+std::set<const Row *> sourcesOf(std::set<const Row *> rows, const std::vector<RowUpdate> &updates) {
+  for (size_t before = 0; before != rows.size();) {
+    before = rows.size();
+    for (const RowUpdate &update : updates)
+      if (rows.count(update.row))
+        for (auto &[direction, factor] : update.sum)
+          if (direction->row) rows.insert(direction->row);
+  }
+  return rows;
+}
+
 // Demand: updates of rows that no result comes from.
 void Jets::dropUnused() {
-  std::set<const Row *> used;
+  std::set<const Row *> results;
   for (const Row &row : rows_)
-    if (row.result) used.insert(&row);
-  for (size_t before = 0; before != used.size();) {
-    before = used.size();
-    for (const RowUpdate &update : updates_)
-      if (used.count(update.row))
-        for (auto &[direction, factor] : update.sum)
-          if (direction->row) used.insert(direction->row);
-  }
+    if (row.result) results.insert(&row);
+  const std::set<const Row *> used = sourcesOf(std::move(results), updates_);
   auto unused = [&](const RowUpdate &update) { return !used.count(update.row); };
   updates_.erase(std::remove_if(updates_.begin(), updates_.end(), unused), updates_.end());
 }

@@ -39,8 +39,6 @@ std::string without(std::string text, const std::string &word) {
   return text;
 }
 
-long padded(long n) { return (n + 7) / 8 * 8; }
-
 // for (int i = 0; i < count; ++i) statement, and the same for two indices.
 std::string each(long count, const std::string &statement) {
   return "  for (int i = 0; i < " + str(count) + "; ++i) " + statement + "\n";

@@ -2,7 +2,6 @@
 #include "MotionValues.h"
 #include "Order.h"
 #include "Structure.h"
-#include "Trace.h"
 
 #include <algorithm>
 
@@ -33,42 +32,29 @@ MotionValues::MotionValues(std::function<Equations(Graph &)> make, bool inRows, 
   setEquations(make(graph), "model");
 }
 
-// Reverse and Jets take loops side by side, of a number of iterations that is known before they begin.
-void MotionValues::checkLoops(const Equations &equations) {
-  std::vector<Node *> values = {equations.lagrangian};
-  auto add = [&](const Array *results) {
-    for (const Write &write : results->writes) {
-      values.push_back(write.value);
-      if (write.loop) values.push_back(write.loop->index);
-    }
-  };
-  if (equations.force) add(equations.force);
-  for (const Array *function : equations.holonomic) add(function);
-  for (const Array *function : equations.nonholonomic) add(function);
+// Reverse and Jets take loops side by side, of a number of iterations that is known before they begin. The first one of those that the
+// values need that is not so, and why.
+std::optional<Unsuitable> MotionValues::unsuitableLoop(const std::vector<Node *> &values) const {
   Needed needed(values);
   for (const Loop &loop : graph.loops()) {
     if (!needed.has(&loop)) continue;
-    if (!loop.trips) throw Unsuitable{"how often the loop runs depends on values of run time", loop.index->loc};
-    if (loop.outer) throw Unsuitable{"the loop is inside of another", loop.index->loc};
+    if (!loop.trips) return Unsuitable{"how often the loop runs depends on values of run time", loop.index->loc};
+    if (loop.outer) return Unsuitable{"the loop is inside of another", loop.index->loc};
   }
+  return std::nullopt;
 }
 
-// What can be computed along with the results: loops as in checkLoops.
+// What can be computed along with the results.
 void MotionValues::addAssigned(Equations &equations, const std::vector<Node *> &assigned) const {
-  for (Node *node : assigned) {
-    Needed needed({node});
-    bool suits = !isInteger(node);
-    for (const Loop &loop : graph.loops()) suits = suits && (!needed.has(&loop) || (loop.trips && !loop.outer));
-    if (suits) equations.assigned.push_back(node);
-  }
+  for (Node *node : assigned)
+    if (!isInteger(node) && !unsuitableLoop({node})) equations.assigned.push_back(node);
 }
 
 void MotionValues::setEquations(Equations equations, const std::string &name) {
-  checkLoops(equations);
+  if (auto why = unsuitableLoop(valuesOf(equations))) throw *why;
   autonomous = analyses.time && isAutonomous(equations);
   graph.sharing = analyses.common;
-  const long columns = std::max(2 * equations.n, long(parameters.size())), lanes = 8;
-  identity = {name + "_identity", (columns + lanes - 1) / lanes * lanes};
+  identity = {name + "_identity", padded(std::max(2 * equations.n, long(parameters.size())))};
   n = equations.n;
   for (const Array *function : equations.holonomic) m1 += function->length;
   for (const Array *function : equations.nonholonomic) m2 += function->length;

@@ -4,7 +4,9 @@
 
 #include "EmitAdjoint.h"
 #include "Needs.h"
-#include "PrintGraph.h"
+#include "Trace.h"
+
+#include <optional>
 
 namespace tlgen {
 
@@ -29,7 +31,7 @@ public:
   Identity identity; // what tangents are seeded with, without activity
 
 private:
-  void checkLoops(const Equations &equations);
+  std::optional<Unsuitable> unsuitableLoop(const std::vector<Node *> &values) const;
   void addAssigned(Equations &equations, const std::vector<Node *> &assigned) const;
   void setEquations(Equations equations, const std::string &name);
   void findParameters(const Model &model, const MotionOptions &options);

@@ -33,7 +33,7 @@ const RowPrinter::Place &RowPrinter::place(const Row *row) {
   auto known = places_.find(row);
   if (known != places_.end()) return known->second;
   if (row->given) return put(row, {row->name, row->given, false});
-  long stride = (columns_ + 7) / 8 * 8;
+  long stride = padded(columns_);
   if (row->count > 1) workspace_ += row->count * stride;
   return put(row, {fresh_(row->count > 1 ? "rows" : "row"), stride, true});
 }

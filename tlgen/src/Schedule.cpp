@@ -62,15 +62,11 @@ long iterations(const Loop *loop) {
   return all;
 }
 
-bool isOperation(const Node *n) {
-  return n->op == Node::Add || n->op == Node::Mul || n->op == Node::Recip || n->op == Node::Math || n->op == Node::Taylor;
-}
-
 // Sums over rows of so many columns, half of them where the columns end or begin by the loop's number.
 long vectorsOf(const RowUpdate &u, long columns) {
-  const long lanes = 8, terms = long(std::count_if(u.sum.begin(), u.sum.end(), [](const auto &part) { return part.first->row; }));
+  const long terms = long(std::count_if(u.sum.begin(), u.sum.end(), [](const auto &part) { return part.first->row; }));
   const bool varying = (u.bound && !u.bound->isConstant()) || (u.from && !u.from->isConstant());
-  const long width = (columns + lanes - 1) / lanes;
+  const long width = padded(columns) / ROW_PAD;
   return terms * (varying ? (width + 1) / 2 : width);
 }
 

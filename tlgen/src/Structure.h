@@ -6,8 +6,11 @@
 
 namespace tlgen {
 
-// The values that the named result is computed from; none where there is no such result.
+// The values that the named result is computed from, indices and loops included; none where there is no such result.
 std::vector<Node *> valuesOf(const Results &results, const std::string &name);
+
+// The values of all functions, likewise.
+std::vector<Node *> valuesOf(const Equations &equations);
 
 // Whether some of the values depend on an input of one of the kinds, conditions and indices included.
 bool dependOn(const std::vector<Node *> &values, const std::set<Slot::Kind> &kinds);
