@@ -98,8 +98,7 @@ Node *Jets::computeHigher(Node *node, int power) {
     for (size_t i = 0; i < args.size(); ++i)
       for (int k = 1; k <= power; ++k) {
         Node *x = c(args[i], k);
-        if (x->is(0)) continue;
-        if (Node *partial = derivative(graph_, node, i)) plus(graph_.scale(double(k) / power, c(partial, power - k)), x);
+        if (!x->is(0)) plus(graph_.scale(double(k) / power, c(partial(node, i), power - k)), x);
       }
     return sum;
   case Node::Select:
@@ -107,6 +106,13 @@ Node *Jets::computeHigher(Node *node, int power) {
   default:
     return sum;
   }
+}
+
+// d function / d argument. Integers have no derivatives, even where those of all that loops carry are taken for there.
+Node *Jets::partial(Node *function, size_t argument) {
+  Node *made = derivative(graph_, function, argument);
+  if (!made && !isInteger(function->args[argument])) noFormula_ = function;
+  return made ? made : graph_.number(0);
 }
 
 const Tangents &Jets::tangents(Node *node, int power) {
@@ -192,8 +198,7 @@ Tangents Jets::computeTangents(Node *node, int power) {
     for (size_t i = 0; i < args.size(); ++i)
       for (int k = 0; k <= power; ++k) {
         const Tangents &x = tangents(args[i], power - k);
-        Node *partial = x.empty() ? nullptr : derivative(graph_, node, i);
-        if (partial) accumulate(sum, coefficient(partial, k), x);
+        if (!x.empty()) accumulate(sum, coefficient(partial(node, i), k), x);
       }
     return sum;
   case Node::Select: {

@@ -110,9 +110,10 @@ public:
   Node *coefficient(Node *node, int power);
   const Tangents &tangents(Node *node, int power);
 
-  // An input whose column is not constant, where columns are explicit, or does not follow from iteration numbers, where they are not;
-  // null where there is none. Otherwise results are wrong.
+  // What results are wrong because of; null where there is no such thing. An input whose column is not constant, where columns are
+  // explicit, or does not follow from iteration numbers, where they are not. A function without a formula for a derivative.
   const Node *unsuitable() const { return unsuitable_; }
+  const Node *noFormula() const { return noFormula_; }
 
   const std::vector<RowUpdate> &updates() const { return updates_; }
   // Values that are to be computed though no output needs them.
@@ -179,6 +180,7 @@ private:
   const Guard *remade(const Guard *guard);
   Node *computeValue(Node *node);
   Node *computeHigher(Node *node, int power);
+  Node *partial(Node *function, size_t argument);
   Tangents computeTangents(Node *node, int power);
   Tangents finalTangents(Node *node, int power);
   Tangents readTangents(Node *node, int power);
@@ -237,7 +239,7 @@ private:
   Analyses analyses_;
   Identity identity_;
   Row *identityRow_ = nullptr;
-  const Node *unsuitable_ = nullptr;
+  const Node *unsuitable_ = nullptr, *noFormula_ = nullptr;
   const Needed *needed_ = nullptr;
   const std::vector<JetOutput> *outputs_ = nullptr;
   std::unordered_map<Node *, Info> info_;

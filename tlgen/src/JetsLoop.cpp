@@ -57,13 +57,15 @@ void Jets::keep(Node *node) {
   if (node->op != Node::Number && node->op != Node::Affine && node->op != Node::Leaf && !isInteger(node)) kept_.insert(node);
 }
 
-// Without demand: every coefficient of every value.
+// Without demand: every coefficient of every value. No result is made of them, so that they may be without a formula.
 void Jets::keepAll() {
+  const Node *const before = noFormula_;
   for (Node *node : needed_->nodes())
     for (int power = 0; !isInteger(node) && power < powers_; ++power) {
       keep(coefficient(node, power));
       for (auto &[direction, factor] : tangents(node, power)) keep(factor);
     }
+  noFormula_ = before;
 }
 
 void Jets::runRegion(Loop *loop) {

@@ -72,10 +72,15 @@ Results &MotionValues::results(const std::string &need) {
                  : need == "linearise" ? needs_->linearise()
                  : need == "tangent"   ? needs_->tangent()
                                        : needs_->parameters(columns_, long(parameters.size()));
-  if (const Node *f = needs_->noFormula()) throw Unsuitable{"tlgen has no formula for the derivative of '" + f->text + "'", f->loc};
-  for (const auto &jets : made.jets)
+  auto checkFormulas = [](const Node *without) {
+    if (without) throw Unsuitable{"there is no formula for the derivative of '" + without->text + "'", without->loc};
+  };
+  checkFormulas(needs_->noFormula());
+  for (const auto &jets : made.jets) {
+    checkFormulas(jets->noFormula());
     if (const Node *read = jets->unsuitable())
       throw Unsuitable{"which coordinate is read here depends on a loop or a table", read->loc};
+  }
   return results_.emplace(need, std::move(made)).first->second;
 }
 
