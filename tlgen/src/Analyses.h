@@ -15,7 +15,7 @@ struct Analyses {
   bool recompute = true;    // Tapes: what another loop can make again of what a loop computed
   bool views = true;        // Jets: which rows of a tape are the first columns of a row that a loop carries
   bool common = true;       // Graph: which values are the same computation
-  bool algebra = true;      // Graph: which terms of sums are equal or cancel
+  bool algebra = true;      // Graph, Regrouping: which terms of sums are equal or cancel, which factors products share
   bool constantMass = true; // Structure: whether the mass matrix is the same at all states
   bool time = true;         // Structure: whether t occurs in the equations of motion
 };

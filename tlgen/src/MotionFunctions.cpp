@@ -179,7 +179,7 @@ private:
         all[part].insert(*array);
         for (const Write &write : array->second->writes) wanted.push_back(write.value);
       }
-    if (values.rows) return all;
+    if (values.rows || !values.analyses.algebra) return all;
     Regrouping regrouping(values.graph, wanted);
     for (Arrays &arrays : all)
       for (auto &[name, array] : arrays) {
