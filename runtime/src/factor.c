@@ -37,6 +37,7 @@ static tl_real largest(int n, const tl_real *x) {
 static void build_calM(eom_system *sys) {
   eom_factor *f = &sys->workspace->factor;
   const int n = sys->n;
+  f->kept = false;
   memcpy(f->L, sys->M, (size_t)n * (size_t)n * sizeof(tl_real));
   if (!f->weighted) return;
   for (int r = 0; r < sys->m; r++) {
@@ -81,6 +82,20 @@ static tl_real factor_calM(eom_system *sys, bool weighted) {
   return least;
 }
 
+/* The same with calM = M. An M of parameters alone is factored again only where its numbers are not those of the last time. */
+static tl_real factor_mass(eom_system *sys) {
+  eom_factor *f = &sys->workspace->factor;
+  if (!f->kept_M) return factor_calM(sys, false);
+  const size_t bytes = (size_t)sys->n * (size_t)sys->n * sizeof(tl_real);
+  if (!f->kept || memcmp(f->kept_M, sys->M, bytes) != 0) {
+    f->kept_pivot = factor_calM(sys, false);
+    memcpy(f->kept_M, sys->M, bytes);
+    f->kept = f->kept_pivot > TL_C(0.0);
+  }
+  f->weighted = false;
+  return f->kept_pivot;
+}
+
 /* W_r = strength / |a_r|^2 in coordinates where M has a unit diagonal: then A'WA is of M's size row by row. */
 static void automatic_weights(eom_system *sys, tl_real strength) {
   eom_factor *f = &sys->workspace->factor;
@@ -106,7 +121,7 @@ static tl_real choose_calM(eom_system *sys) {
   eom_factor *f = &sys->workspace->factor;
   const tl_real none = least_pivot(sys->n);
   if (sys->m == 0) {
-    const tl_real pivot = factor_calM(sys, false);
+    const tl_real pivot = factor_mass(sys);
     return pivot > none ? pivot : TL_C(0.0);
   }
   if (sys->options.weights) {
@@ -115,7 +130,7 @@ static tl_real choose_calM(eom_system *sys) {
     if (pivot >= EOM_USABLE_PIVOT) return pivot;
   } else {
     memset(f->W, 0, (size_t)sys->m * sizeof(tl_real));
-    const tl_real pivot = factor_calM(sys, false);
+    const tl_real pivot = factor_mass(sys);
     if (pivot >= EOM_SAFE_PIVOT) return pivot;
   }
   automatic_weights(sys, TL_C(1.0));

@@ -54,8 +54,9 @@ static void take_public(eom_system *sys, eom_arena *a) {
   sys->lambda_y = eom_arena_reals(a, 2 * m * n);
 }
 
-static void take_factor(eom_factor *f, size_t n, size_t m, eom_arena *a) {
+static void take_factor(eom_factor *f, size_t n, size_t m, bool constant_mass, eom_arena *a) {
   f->L = eom_arena_reals(a, n * n);
+  if (constant_mass) f->kept_M = eom_arena_reals(a, n * n);
   f->S = eom_arena_reals(a, n);
   f->y = eom_arena_reals(a, n);
   if (m == 0) return;
@@ -88,7 +89,7 @@ static void take_lanes(eom_lanes *l, size_t n, size_t m, eom_arena *a) {
 
 static void take_private(eom_system *sys, eom_workspace *ws, eom_arena *a) {
   const size_t n = (size_t)sys->n, m = (size_t)sys->m;
-  take_factor(&ws->factor, n, m, a);
+  take_factor(&ws->factor, n, m, sys->motion && sys->motion->constant_mass, a);
   ws->b_size = eom_arena_reals(a, m);
   ws->r1 = eom_arena_reals(a, n);
   ws->r2 = eom_arena_reals(a, m);

@@ -36,6 +36,9 @@ typedef struct eom_stage {
  * below m also [R11 R12]' = U [T; 0]. */
 typedef struct eom_factor {
   bool weighted;
+  bool kept;          /* L and S are those of kept_M, */
+  tl_real kept_pivot; /* with this smallest pivot */
+  tl_real *kept_M;    /* n x n; null where M is not known to be constant */
   int rank;
   tl_real *L;     /* n x n */
   tl_real *S;     /* n: powers of two that bring the diagonal of calM near 1 */
