@@ -177,7 +177,7 @@ class Fuzz:
 
         tree = reduce.reduce(self.trees[name], fails)
         way, text = result.faults[0]
-        tree.purpose = f"{way}: {text.split(' is ')[0].split(';')[0]}.".replace("*/", "")
+        tree.purpose = f"Failed in {way}: {text.split(' is ')[0].split(';')[0]}.".replace("*/", "")
         os.makedirs(KEPT, exist_ok=True)
         path = os.path.join(KEPT, f"{name}.c")
         with open(path, "w", encoding="utf-8") as file:

@@ -383,14 +383,18 @@ Node *Jets::ownColumns(const Direction *direction, Loop *clone, Tangents &own) c
   for (const RowUpdate &update : updates_) {
     if (update.row != row) continue;
     if (update.before || !own.empty()) return nullptr;
+    bool stays = false;
     for (auto &[other, factor] : update.sum) {
       if (other->column) {
         all.add(other->column, clone);
         own[other] = factor;
       } else if (other->row != row || !factor->is(1)) {
         return nullptr;
+      } else {
+        stays = true;
       }
     }
+    if (!stays) return nullptr;
   }
   if (!all.any || !all.regular || all.factor <= all.last - all.first) return nullptr;
   return graph_.affine(all.last + 1, {{clone, all.factor}});

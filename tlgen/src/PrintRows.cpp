@@ -8,12 +8,16 @@ const long shortest = 32; // columns; loops over fewer are not divided where a r
 
 std::string blanks(int n) { return std::string(size_t(n), ' '); }
 
-// A carried row that only gets single columns.
+// A carried row that stays as it was but for single columns.
 bool addsColumnsOnly(const RowUpdate &update) {
   if (update.index || !update.row->carriedBy || update.before) return false;
-  for (auto &[direction, factor] : update.sum)
-    if (direction->row && (direction->row != update.row || direction->updated || !factor->is(1))) return false;
-  return true;
+  bool stays = false;
+  for (auto &[direction, factor] : update.sum) {
+    if (!direction->row) continue;
+    if (direction->row != update.row || direction->updated || !factor->is(1)) return false;
+    stays = true;
+  }
+  return stays;
 }
 
 } // namespace
