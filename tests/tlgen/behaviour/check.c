@@ -1,5 +1,6 @@
 /* One model: its jet functions against the plain C and its differences in quad precision, in complete and in motion shapes. */
 #include "close.h"
+#include "index.h"
 #include "plain.h"
 #include "random.h"
 #include "reference.h"
@@ -96,17 +97,6 @@ static void check_values(const checked *f, const double *x, const evaluation *e)
     double actual = result(e, row)[0], scale = fmax(fabs(out[row]), 1.0);
     if (!(fabs(actual - out[row]) <= plain_limits.value * scale)) fault(f, row, "value beside the plain C in double", 0, NULL, actual, out[row], scale);
   }
-}
-
-/* The next index with index[0] <= index[1] <= .. < count; false after the last. */
-static bool next_index(int *index, int order, int count) {
-  for (int k = order - 1; k >= 0; k--) {
-    if (index[k] + 1 >= count) continue;
-    int value = index[k] + 1;
-    for (int i = k; i < order; i++) index[i] = value;
-    return true;
-  }
-  return false;
 }
 
 /* Every partial derivative of one order; scale[row] is the largest derivative so far. */

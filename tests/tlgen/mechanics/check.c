@@ -2,6 +2,7 @@
  * linearisation beside the high-precision reference. With --table it prints one line of markdown per kind of point besides checking, with
  * --time one line of what a linearisation takes by jets and by motion functions; bench/mechanisms runs that. */
 #define _POSIX_C_SOURCE 200112L /* clock_gettime */
+#include "index.h"
 #include "mechanics.h"
 #include "reference.h"
 
@@ -74,17 +75,6 @@ static void compare_all(errors *e, const point *p, int column, const char *sourc
     return;
   }
   for (int i = 0; i < count; i++) compare(e, p, column, source, i, actual[i], b->numbers[i]);
-}
-
-/* The next index with index[0] <= index[1] <= .. < count; false after the last. */
-static bool next_index(int *index, int order, int count) {
-  for (int k = order - 1; k >= 0; k--) {
-    if (index[k] + 1 >= count) continue;
-    int value = index[k] + 1;
-    for (int i = k; i < order; i++) index[i] = value;
-    return true;
-  }
-  return false;
 }
 
 static void *claim(size_t bytes) {
