@@ -112,6 +112,7 @@ struct Split {
 
 bool hasEffects(const Expr *e);
 long factorOf(const Node *n, const Loop *loop); // of the loop's iteration number
+int bitsOf(const Type *type);                   // an integer one
 
 class Tracer {
 public:
@@ -190,18 +191,8 @@ private:
   void name(const Expr *left, const Cells &cells);
   void name(const std::string &variable, const Cells &cells);
   Cells castOf(const Expr *e);
-  Node *convert(Node *n, const Type *from, const Type *to);
-  Node *rounded(Node *n);
-  Range bounds(const Node *n);
-  Range boundsOf(const Node *n);
-  long extreme(const Node *n, bool largest);
-  void splitAt(const std::string &op, Node *difference);
   Node *unary(const Expr *e);
   Cell binary(const Expr *e);
-  Node *arithmetic(const std::string &op, Node *a, Node *b, const Type *type);
-  Node *realArithmetic(const std::string &op, Node *a, Node *b, const Type *type);
-  Node *integerArithmetic(const std::string &op, Node *a, Node *b, const Type *type);
-  Node *compare(const std::string &op, Node *a, Node *b, const Type *type);
   Cell pointerBinary(const Expr *e);
   PointerRef advanced(const PointerRef &p, Node *by, bool back, const Type *element);
   Node *difference(const Pointer &a, const Pointer &b, long size);
@@ -215,11 +206,23 @@ private:
   Cells assign(const Expr *e);
   Cells step(const Expr *e);
   Cell demanded(const Cell &c, const Type *type);
-  Node *mathCall(const Expr *e);
-  Node *test(const Expr *e, const std::vector<Node *> &args);
   Cells fill(const Type *type, const Expr *e);
   PointerRef place(const Expr *e);
   long leaves(const Type *type);
+
+  // TraceArithmetic.cpp: operations and functions
+  Node *convert(Node *n, const Type *from, const Type *to);
+  Node *rounded(Node *n);
+  Range bounds(const Node *n);
+  Range boundsOf(const Node *n);
+  long extreme(const Node *n, bool largest);
+  Node *arithmetic(const std::string &op, Node *a, Node *b, const Type *type);
+  Node *realArithmetic(const std::string &op, Node *a, Node *b, const Type *type);
+  Node *integerArithmetic(const std::string &op, Node *a, Node *b, const Type *type);
+  Node *compare(const std::string &op, Node *a, Node *b, const Type *type);
+  void splitAt(const std::string &op, Node *difference);
+  Node *mathCall(const Expr *e);
+  Node *test(const Expr *e, const std::vector<Node *> &args);
 
   // TraceMemory.cpp: objects, what is in them, and the merging of paths
   int object(size_t depth, const void *key, const std::string &name, const Type *type);
