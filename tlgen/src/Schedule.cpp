@@ -7,8 +7,9 @@
 
 namespace tlgen {
 
-// What some outputs need, of each kind in the order of finding.
-struct Schedule::Needed {
+// What some outputs need, of each kind in the order of finding: as Needed of Order.h, but with batches, checks and rows, and without
+// what earlier phases computed.
+struct Schedule::Wanted {
   std::vector<Node *> nodes;
   std::vector<Loop *> loops;
   std::vector<const Array *> arrays;
@@ -123,8 +124,8 @@ Schedule::Schedule(Graph &graph, std::vector<Phase> phases) : graph_(graph), pha
 Schedule::~Schedule() = default;
 
 // Collects what the outputs of a phase need and no earlier phase computed; of all phases, done or not, where all.
-Schedule::Needed Schedule::need(size_t phase, bool all) {
-  Needed needed;
+Schedule::Wanted Schedule::need(size_t phase, bool all) {
+  Wanted needed;
   std::vector<Node *> open;
   auto node = [&](Node *n) {
     if (n && (all || !doneNodes_.count(n)) && needed.add(needed.nodes, n)) open.push_back(n);
@@ -319,7 +320,7 @@ void Schedule::batchAlone(Node *n) {
 }
 
 void Schedule::countUses() {
-  Needed needed = need(0, true);
+  Wanted needed = need(0, true);
   arrays_ = needed.arrays;
   countOperations(needed);
   for (const Node *n : needed.nodes) {
@@ -352,7 +353,7 @@ void Schedule::countUses() {
     for (const Node *n : nodesOf(*u)) use(n, n->loop), use(n, n->loop); // in the midst of a loop over columns: by name
 }
 
-void Schedule::countOperations(const Needed &needed) {
+void Schedule::countOperations(const Wanted &needed) {
   Operations &o = operations_;
   for (const Node *n : needed.nodes) {
     const long times = iterations(n->loop);
@@ -395,7 +396,7 @@ std::vector<RowUpdate> Schedule::updates(const Loop *loop, bool before) const {
 // The order of one phase's statements: each after what it depends on, near to what depends on it.
 class Schedule::Ordering {
 public:
-  Ordering(const Schedule &schedule, const Needed &needed) : schedule_(schedule), needed_(needed) {
+  Ordering(const Schedule &schedule, const Wanted &needed) : schedule_(schedule), needed_(needed) {
     makeEntries();
     linkAll();
   }
@@ -577,7 +578,7 @@ private:
   }
 
   const Schedule &schedule_;
-  const Needed &needed_;
+  const Wanted &needed_;
   std::deque<Entry> entries_;
   std::unordered_map<const void *, Entry *> of_;
   std::unordered_map<const Loop *, Entry *> conditions_;
@@ -586,7 +587,7 @@ private:
 };
 
 Blocks Schedule::order(size_t phase) {
-  now_ = std::make_unique<Needed>(need(phase, false));
+  now_ = std::make_unique<Wanted>(need(phase, false));
   Blocks blocks = Ordering(*this, *now_).run();
   for (const Node *n : now_->nodes)
     if (!n->loop) doneNodes_.insert(n);

@@ -97,7 +97,7 @@ public:
   const std::deque<Batch> &batches() const { return batches_; }
 
 private:
-  struct Needed;
+  struct Wanted;
   class Ordering;
   struct Use {
     int count = 0;
@@ -107,8 +107,8 @@ private:
   void makeChecks();
   void makeBatches();
   void countUses();
-  void countOperations(const Needed &needed);
-  Needed need(size_t phase, bool all);
+  void countOperations(const Wanted &needed);
+  Wanted need(size_t phase, bool all);
   void batchScalars(const std::vector<Node *> &nodes);
   bool batchInLoop(Node *node);
   void batchAlone(Node *node);
@@ -130,7 +130,7 @@ private:
   std::set<const Array *> doneArrays_;
   std::set<const Batch *> doneBatches_;
   std::set<const Check *> doneChecks_;
-  std::unique_ptr<Needed> now_; // of the phase ordered last
+  std::unique_ptr<Wanted> now_; // of the phase ordered last
 };
 
 } // namespace tlgen
