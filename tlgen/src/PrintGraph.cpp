@@ -260,7 +260,7 @@ void GraphPrinter::bind(const Array *a, const std::string &lvalue, long columns)
 
 // Of a function that a batch evaluates.
 std::string GraphPrinter::result(const Node *n) {
-  const Place *p = schedule_.place(n);
+  const BatchPlace *p = schedule_.place(n);
   const auto &names = results_.at(p->batch);
   const std::string &name = p->batch->function == "sincos" && n->text == "cos" ? names.second : names.first;
   return p->batch->loop || p->batch->args.size() > 1 ? name + "[" + index(p->index) + "]" : name;

@@ -379,7 +379,7 @@ bool Schedule::isUsedOnce(const Node *node) const {
   return at != uses_.end() && at->second.count == 1 && !at->second.deeper;
 }
 
-const Place *Schedule::place(const Node *node) const {
+const BatchPlace *Schedule::place(const Node *node) const {
   auto at = places_.find(node);
   return at == places_.end() ? nullptr : &at->second;
 }
@@ -497,7 +497,7 @@ private:
   }
 
   void linkNode(Entry *e, const Node *n) {
-    if (const Place *p = schedule_.place(n)) {
+    if (const BatchPlace *p = schedule_.place(n)) {
       link(e, p->batch);
       return;
     }

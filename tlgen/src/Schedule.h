@@ -34,7 +34,7 @@ struct Batch {
 };
 
 // Where a function of the batch stands in its results.
-struct Place {
+struct BatchPlace {
   const Batch *batch;
   Node *index;
 };
@@ -83,7 +83,7 @@ public:
   // True where the value is computed though nothing may need it.
   bool isKept(const Node *node) const { return kept_.count(node) > 0; }
   // Where the node is found in the results of a batch; null where it is in none.
-  const Place *place(const Node *node) const;
+  const BatchPlace *place(const Node *node) const;
   // True where the phase that was ordered last computes, or uses, that carried value of a loop.
   bool carries(const Loop *loop, size_t which) const;
   // Updates of rows by a loop's iterations, or (before) of rows that it carries, in the phase that was ordered last.
@@ -118,7 +118,7 @@ private:
   std::set<const Node *> kept_;
   std::vector<Check> checks_;
   std::deque<Batch> batches_;
-  std::unordered_map<const Node *, Place> places_;
+  std::unordered_map<const Node *, BatchPlace> places_;
   std::map<long, Loop *> standIns_;                              // by trips
   std::map<std::pair<std::string, const Node *>, Batch *> rows_; // by function and argument
   std::unordered_map<const Node *, Use> uses_;
