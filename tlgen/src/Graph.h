@@ -182,8 +182,8 @@ public:
   Node *plainSum(Node *a, Node *b);
   Node *plainProduct(Node *a, Node *b);
 
-  // Off: values made from now on are not looked up among those that are there (loops, inputs and integers are), or left as they are
-  // asked for but for constants that are folded.
+  // Off: operations are made anew each time that they are asked for; they are left as they are asked for, but for constants, which are
+  // folded.
   bool sharing = true, simplifying = true;
 
   // What new nodes are made for.

@@ -85,6 +85,7 @@ std::string functions(const std::string &name, long n, bool rows) {
 int main(int argc, char **argv) {
   if (argc != 2) return 2;
   std::ofstream out(argv[1]);
+  out << "_Static_assert(TL_ROW_PAD == " << ROW_PAD << ", \"rows are padded as kernels take them\");\n\n";
   for (long n : {1, 3, 9, 20}) {
     out << functions("registers" + std::to_string(n), n, false);
     out << functions("rows" + std::to_string(n), n, true);
