@@ -321,7 +321,6 @@ void Schedule::batchAlone(Node *n) {
 
 void Schedule::countUses() {
   Wanted needed = need(0, true);
-  arrays_ = needed.arrays;
   countOperations(needed);
   for (const Node *n : needed.nodes) {
     if (n->op != Node::Taylor) continue;

@@ -88,13 +88,9 @@ public:
   bool carries(const Loop *loop, size_t which) const;
   // Updates of rows by a loop's iterations, or (before) of rows that it carries, in the phase that was ordered last.
   std::vector<RowUpdate> updates(const Loop *loop, bool before) const;
-  // Arrays that any phase uses.
-  const std::vector<const Array *> &arrays() const { return arrays_; }
   // The highest derivative that is needed of an external function at an argument: of a Taylor node.
   int highest(const Node *taylor) const { return highest_.at({taylor->text, taylor->args[0]}); }
   Operations operations() const { return operations_; }
-  const std::vector<Check> &checks() const { return checks_; }
-  const std::deque<Batch> &batches() const { return batches_; }
 
 private:
   struct Wanted;
@@ -123,7 +119,6 @@ private:
   std::map<std::pair<std::string, const Node *>, Batch *> rows_; // by function and argument
   std::unordered_map<const Node *, Use> uses_;
   std::unordered_map<const Node *, std::vector<size_t>> checksOf_;
-  std::vector<const Array *> arrays_;
   Operations operations_;
   std::map<std::pair<std::string, const Node *>, int> highest_;
   std::set<const Node *> doneNodes_;
