@@ -20,7 +20,7 @@ Regrouping::Regrouping(Graph &graph, const std::vector<Node *> &values) : graph_
     return;
   }
   for (size_t k = 0; k < products_.size(); ++k) count(k, true);
-  while (!order_.empty() && order_.rbegin()->first > 1) join(order_.rbegin()->second);
+  while (!order_.empty() && std::get<0>(*order_.rbegin()) > 1) join(std::get<Pair>(*order_.rbegin()));
 }
 
 // Finds the products: those that are not factors of others only. False where there are loops, which compute their values once each.
@@ -74,12 +74,13 @@ std::set<Regrouping::Pair> Regrouping::pairsOf(const Product &product) const {
 void Regrouping::count(size_t product, bool present) {
   for (const Pair &pair : pairsOf(products_[product])) {
     std::set<size_t> &users = users_[pair];
-    order_.erase({long(users.size()), pair});
+    order_.erase(rank(pair));
     if (present)
       users.insert(product);
     else
       users.erase(product);
-    if (!users.empty()) order_.insert({long(users.size()), pair});
+    if (products_[product].factors.size() == 2) whole_[pair] += present ? 1 : -1;
+    if (!users.empty()) order_.insert(rank(pair));
   }
 }
 

@@ -5,11 +5,12 @@
 #include "Graph.h"
 
 #include <set>
+#include <tuple>
 
 namespace tlgen {
 
-// l_0 m_1 c_0 c_1, l_0 m_1 s_0 s_1, l_0 c_0, l_0 s_0 are seven products rather than nine as (l_0 c_0) (m_1 c_1), (l_0 s_0) (m_1 s_1):
-// the two factors that most products have in common become one, over and over.
+// l_0 m_1 c_0 c_1, l_0 m_1 s_0 s_1, l_0 c_0, l_0 s_0 are six multiplications rather than seven as (l_0 c_0) m_1 c_1, (l_0 s_0) m_1 s_1:
+// the two factors that most products have in common become one, over and over; of equals, two that are a product already.
 class Regrouping {
 public:
   // values: all that is computed together.
@@ -30,6 +31,7 @@ private:
   int number(Node *factor);
   std::set<Pair> pairsOf(const Product &product) const;
   void count(size_t product, bool present);
+  std::tuple<size_t, int, Pair> rank(Pair pair) { return {users_[pair].size(), whole_[pair], pair}; }
   void join(Pair pair);
   Node *made(Node *node);
   Node *madeProduct(const Product &product);
@@ -42,7 +44,8 @@ private:
   std::unordered_map<const Node *, int> numbers_;   // of factors that are no pairs
   std::map<int, Pair> joined_;                      // pairs by number
   std::map<Pair, std::set<size_t>> users_;          // products with both factors
-  std::set<std::pair<long, Pair>> order_;           // pairs by how many products have them, fewest first
+  std::map<Pair, int> whole_;                       // how many products have no other factors
+  std::set<std::tuple<size_t, int, Pair>> order_;   // pairs by how many products have them, then whole ones; fewest first
   std::unordered_map<const Node *, Node *> made_;
   std::map<int, Node *> madePairs_;
 };
