@@ -43,7 +43,7 @@ std::string FunctionEmitter::run() {
   for (const Variable *param : v_.function->params) hoistedNames_.insert(param->name);
   copyParameters();
   for (const Variable *param : v_.function->params)
-    if (!referenced_.count(param)) line("(void)" + param->name + ";");
+    if (!read_.count(param)) line("(void)" + param->name + ";");
   statements(v_.function->body->body);
   const std::string end = "  return;\n"; // at the end of a function it goes without saying
   if (out_.size() >= end.size() && out_.compare(out_.size() - end.size(), end.size(), end) == 0) out_.erase(out_.size() - end.size());
@@ -151,10 +151,7 @@ void FunctionEmitter::surveyLengths(const Type *type) {
 
 void FunctionEmitter::survey(const Expr *e, bool read) {
   bool writes = e->kind == Expr::Assign || e->kind == Expr::Step;
-  if (e->kind == Expr::Ref) {
-    referenced_.insert(e->var);
-    if (read) read_.insert(e->var);
-  }
+  if (e->kind == Expr::Ref && read) read_.insert(e->var);
   for (size_t i = 0; i < e->args.size(); ++i) {
     if (!e->args[i]) continue;
     const Expr *arg = e->args[i];

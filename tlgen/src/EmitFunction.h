@@ -151,7 +151,7 @@ private:
   Loc quoted_;
   bool lineLost_ = false; // to a function that was called since
   bool writesThroughPointer_ = false;
-  std::set<const Variable *> assigned_, addressTaken_, read_, referenced_;
+  std::set<const Variable *> assigned_, addressTaken_, read_;
 };
 
 } // namespace tlgen

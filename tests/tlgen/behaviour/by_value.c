@@ -49,6 +49,16 @@ static double constant_or_not(double x, double y, int n)
   return x * x + n;
 }
 
+/* What its parameters become is never looked at. */
+static double overwritten(double x, double y, int n)
+{
+  double sum = 0.0;
+  y = sum = 1.5;
+  for (; sum < 3.0; sum += 1.0) x += 0.5 * sum;
+  n = 2;
+  return sum;
+}
+
 static void accumulate(double x, int n, double *sum)
 {
   while (n-- > 0) {
@@ -74,6 +84,7 @@ double lagrangian(const double q[2], const double qd[2], double t)
   L += t;
   y = keep(y, &y);
   L += constant_or_not(0.5, x, 1) + constant_or_not(1.5, x, 0) + constant_or_not(x, 2.0, 1);
+  L *= overwritten(0.5, 2.0, 1) * overwritten(x, y, 1);
   accumulate(y, 3, &L);
   accumulate(L, 2, &L);
   t += y;
