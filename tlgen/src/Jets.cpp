@@ -108,8 +108,10 @@ Node *Jets::computeHigher(Node *node, int power) {
   }
 }
 
-// d function / d argument. Integers have no derivatives, even where those of all that loops carry are taken for there.
+// d function / d argument: of the function's graph, and so under the function's own conditions. Integers have no derivatives, even
+// where those of all that loops carry are taken for there.
 Node *Jets::partial(Node *function, size_t argument) {
+  Graph::Making making(graph_, function->guard, function->loc);
   Node *made = derivative(graph_, function, argument);
   if (!made && !isInteger(function->args[argument])) noFormula_ = function;
   return made ? made : graph_.number(0);

@@ -14,6 +14,7 @@ Needed::Needed(const std::vector<Node *> &nodes) {
     for (Node *arg : node->args) add(arg);
     for (auto &[loop, factor] : node->terms) add(loop);
     if (node->loop) add(node->loop);
+    for (const Guard *guard = node->guard; guard; guard = guard->outer) add(guard->holds);
     if (node->op == Node::Carried || node->op == Node::Final) {
       const Carry &carry = node->of->carried[size_t(node->which)];
       add(node->of);
@@ -100,6 +101,7 @@ void Needed::sort() {
     Item user{node, nullptr};
     deps.item(user);
     for (const Node *arg : node->args) deps.add(user, {arg, nullptr});
+    for (const Guard *guard = node->guard; guard; guard = guard->outer) deps.add(user, {guard->holds, nullptr});
     if (node->op == Node::Final) deps.add(user, {nullptr, node->of});
     if (node->op == Node::Read) written(user, node->array);
   }

@@ -15,7 +15,8 @@ struct Step {
   Loop *loop = nullptr;
 };
 
-// The nodes and loops that the given nodes need, with everything that reaches them through carried values and arrays.
+// The nodes and loops that the given nodes need, with everything that reaches them through carried values and arrays, and with the
+// conditions that they are computed under.
 class Needed {
 public:
   explicit Needed(const std::vector<Node *> &nodes);
