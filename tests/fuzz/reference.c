@@ -14,10 +14,14 @@
 
 typedef __float128 quad;
 
-/* h: a third derivative has a rounding error of 1e-34/h^3 = 1e-16, and a truncation error of 3e-26 of the fifth derivative. A quarter
- * of it serves where the function is so steep that this shows: rounding is then 1e-14 of a value that is small beside its derivatives.
- */
-static const quad STEPS[] = {0x1p-20Q, 0x1p-22Q};
+/* h: a third derivative has a rounding error of 1e-34/h^3 = 1e-16, and a truncation error of 3e-26 of the fifth derivative. Where the
+ * function is so steep that this shows, a quarter of it serves besides: rounding is then 1e-14 of a value that is small beside its
+ * derivatives. */
+static const quad STEP = 0x1p-20Q, SHORTER_STEP = 0x1p-22Q;
+
+/* With N(h) = N + a h^4 + b h^6 + .., N(4h) - N(h) = 255 a h^4, and N(h) + (N(h) - N(4h))/255 = N - 16 b h^6. Of a function with slopes
+ * near s the terms are near (hs)^4 and (hs)^6. */
+static const double EXTRAPOLATION = 1.0 / 255.0, NEXT_TERM = 16.0;
 
 /* Beyond these the equations are not solved, so that the solution is good for 1e-12 and better. */
 static const double LARGEST_CONDITION = 1e4, SMALLEST_PIVOT = 1e-3;
@@ -414,15 +418,48 @@ static fuzz_smoothness evaluate(evaluation *e, const fuzz_point *p, fuzz_numbers
   return e->rough ? FUZZ_ROUGH : FUZZ_SMOOTH;
 }
 
-fuzz_smoothness reference_evaluate(const fuzz_model *m, const fuzz_point *p, bool fine, fuzz_numbers *v,
-                                   double scale[FUZZ_GROUP_COUNT]) {
+static fuzz_smoothness evaluate_with(quad step, const fuzz_model *m, const fuzz_point *p, fuzz_numbers *v, double *scale) {
   const fuzz_sizes *s = &m->sizes;
-  evaluation e = {.model = m, .n = s->n, .m1 = s->m1, .m2 = s->m2, .m = s->m, .h = STEPS[fine]};
+  evaluation e = {.model = m, .n = s->n, .m1 = s->m1, .m2 = s->m2, .m = s->m, .h = step};
   volatile fuzz_smoothness smoothness = FUZZ_TOO_LARGE;
   if (setjmp(e.give_up) == 0)
     smoothness = evaluate(&e, p, v, scale);
   else if (e.moved)
     *e.moved = e.centre;
   path_stop();
+  return smoothness;
+}
+
+fuzz_smoothness reference_evaluate(const fuzz_model *m, const fuzz_point *p, fuzz_numbers *v, double scale[FUZZ_GROUP_COUNT]) {
+  return evaluate_with(STEP, m, p, v, scale);
+}
+
+/* From numbers with both steps to those without the first term of the truncation error. Returns the largest such term of the finer
+ * ones, relative to the scale. */
+static double extrapolate(fuzz_numbers *v, const fuzz_numbers *finer, const double *scale) {
+  double largest = 0.0;
+  for (int g = 0; g < FUZZ_GROUP_COUNT; g++) {
+    if (!finer->group[g]) v->group[g] = NULL;
+    for (int i = 0; v->group[g] && i < fuzz_group_size(&v->sizes, g); i++) {
+      const double term = EXTRAPOLATION * (finer->group[g][i] - v->group[g][i]);
+      v->group[g][i] = finer->group[g][i] + term;
+      if (term != 0.0) largest = fmax(largest, fabs(term) / scale[g]);
+    }
+  }
+  return largest;
+}
+
+fuzz_smoothness reference_refine(const fuzz_model *m, const fuzz_point *p, double tolerance, fuzz_numbers *v,
+                                 double scale[FUZZ_GROUP_COUNT]) {
+  fuzz_numbers finer;
+  fuzz_numbers_start(&finer, m->sizes);
+  fuzz_smoothness smoothness = evaluate_with(SHORTER_STEP, m, p, &finer, scale);
+  if (smoothness == FUZZ_SMOOTH) {
+    const double term = extrapolate(v, &finer, scale);
+    if (!(NEXT_TERM * pow(term, 1.5) <= tolerance)) smoothness = FUZZ_TOO_LARGE;
+    if (v->group[FUZZ_QDD]) memcpy(p->qdd, v->group[FUZZ_QDD], (size_t)m->sizes.n * sizeof *p->qdd);
+    if (v->group[FUZZ_LAMBDA] && m->sizes.m) memcpy(p->lambda, v->group[FUZZ_LAMBDA], (size_t)m->sizes.m * sizeof *p->lambda);
+  }
+  fuzz_numbers_free(&finer);
   return smoothness;
 }

@@ -20,13 +20,17 @@ typedef struct fuzz_model {
 typedef enum fuzz_smoothness {
   FUZZ_SMOOTH,   /* the numbers hold */
   FUZZ_ROUGH,    /* some evaluation took another path than the centre */
-  FUZZ_TOO_LARGE /* a number is not finite, or so large that rounding is all there is, or a loop does not end */
+  FUZZ_TOO_LARGE /* a number is not finite, or so large or steep that errors are all there is, or a loop does not end */
 } fuzz_smoothness;
 
 /* Fills all groups of numbers, and scale: what the errors of a group are relative to, the largest number of the group or of those that
- * it is a sum of. fine: with shorter steps. Fills p->qdd and p->lambda: the solved ones where the mass matrix is safely positive
- * definite and the equations are well-conditioned; else p->trial and what p->lambda holds, and the solved groups are made absent. */
-fuzz_smoothness reference_evaluate(const fuzz_model *m, const fuzz_point *p, bool fine, fuzz_numbers *numbers,
-                                   double scale[FUZZ_GROUP_COUNT]);
+ * it is a sum of. Fills p->qdd and p->lambda: the solved ones where the mass matrix is safely positive definite and the equations are
+ * well-conditioned; else p->trial and what p->lambda holds, and the solved groups are made absent. */
+fuzz_smoothness reference_evaluate(const fuzz_model *m, const fuzz_point *p, fuzz_numbers *numbers, double scale[FUZZ_GROUP_COUNT]);
+
+/* Takes most of the truncation error out of numbers of reference_evaluate, at other p->qdd and p->lambda where these are solved. Not
+ * smooth: numbers say nothing; FUZZ_TOO_LARGE also where what is left may exceed the tolerance, relative to the scale. */
+fuzz_smoothness reference_refine(const fuzz_model *m, const fuzz_point *p, double tolerance, fuzz_numbers *numbers,
+                                 double scale[FUZZ_GROUP_COUNT]);
 
 #endif
