@@ -425,7 +425,7 @@ std::string GraphPrinter::loopText(Loop *loop, int indent) {
   return s + blanks(indent) + "for (" + head + ") {\n" + unread + body + blanks(indent) + "}\n";
 }
 
-// x += y for x = x + y.
+// x += y for x = x + y; x -= y for a product -y, not for a sum that begins like one.
 std::string GraphPrinter::update(const Carry &carry, const std::string &name, const Shown &to) {
   const Node *out = carry.out, *in = carry.in;
   if (isInteger(carry.init)) return name + " = " + to.text.s;
@@ -433,7 +433,8 @@ std::string GraphPrinter::update(const Carry &carry, const std::string &name, co
   if (!grows) return name + " = " + (to.text.precedence == Primary ? to.text : real(out)).s;
   const Node *other = out->args[out->args[0] == in ? 1 : 0];
   Text more = real(other);
-  return more.s[0] == '-' ? name + " -= " + more.s.substr(more.s[1] == ' ' ? 2 : 1) : name + " += " + more.s;
+  bool negative = more.s[0] == '-' && more.precedence >= Product;
+  return negative ? name + " -= " + more.s.substr(more.s[1] == ' ' ? 2 : 1) : name + " += " + more.s;
 }
 
 // Carried values become what they are at the end of the iteration, all at once: one that another's new value is computed from is
