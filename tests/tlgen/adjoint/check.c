@@ -66,7 +66,7 @@ static void compare(double *error, const char *what, const double *actual, const
       *error = fmax(*error, relative);
       continue;
     }
-    *error = INFINITY;
+    *error = (double)INFINITY;
     if (++faults > MOST_FAULTS) continue;
     fprintf(stderr, "%s[%d][%d]: %.17g, by calls %.17g, difference %.3g, scale %.3g\n", what, i / columns, i % columns, actual[i],
             expected[i], difference, scale);

@@ -207,7 +207,7 @@ static bool time_linearise(eom_emitter emitter, const point *p, double *minimum,
   for (int r = 0; r < REPEATS; r++) {
     const double start = seconds();
     for (int k = 0; k < PER_REPEAT; k++) fine = eom_linearise(sys, p->state, p->state + n, p->state[2 * n]) == EOM_OK && fine;
-    times[r] = 1e9 * (seconds() - start) / PER_REPEAT;
+    times[r] = 1e9 / (double)PER_REPEAT * (seconds() - start);
   }
   qsort(times, REPEATS, sizeof times[0], ascending);
   *minimum = times[0];
