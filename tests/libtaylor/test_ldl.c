@@ -106,7 +106,8 @@ static tl_real factor_and_check(ldl_case *c, rng *r, const ldl_functions *f) {
   const tl_real ratio = f->factor(c->w, c->d);
   assert_int_equal(both <= TL_MAX, ratio <= TL_MAX);
   if (!(ratio <= TL_MAX)) return ratio;
-  assert_close(both, ratio, 4.0 * TL_EPSILON, 0.0);
+  assert_close(both, ratio, (double)n * (double)TL_EPSILON * (double)ratio,
+               0.0); /* d_i is M_ii less n products at most, each rounded */
   for (int again = 0; again < 2; again++) {
     draw(r, b, n);
     memcpy(x, b, sizeof x);
