@@ -78,7 +78,7 @@ std::string GraphPrinter::arrayName(const Array *a) {
   if (name.empty()) {
     name = fresh(a->name.empty() ? "kept" : a->name);
     declared_.push_back(a);
-    if (a->length > longestLocal) workspace_ += (a->length + 7) / 8 * 8;
+    if (a->length > longestLocal) workspace_ += padded(a->length);
   }
   return name;
 }
@@ -99,7 +99,7 @@ std::string GraphPrinter::declarations() const {
       continue;
     }
     s += "  tl_real *const restrict " + name + " = work + " + std::to_string(offset) + ";\n";
-    offset += (a->length + 7) / 8 * 8;
+    offset += padded(a->length);
   }
   std::string outside;
   for (size_t site : failing_) outside += (outside.empty() ? "" : ", ") + ("outside" + std::to_string(site)) + " = 0";
