@@ -3,10 +3,10 @@
 #include "taylor/elementary.h"
 #include "wide.h"
 
-static const tl_real LN2 = TL_C(0.693147180559945309417232121458);
-static const tl_real INV_LN2 = TL_C(1.442695040888963407359924681002);
-static const tl_real INV_LN10 = TL_C(0.434294481903251827651128918917);
-static const tl_real TWO_OVER_SQRT_PI = TL_C(1.128379167095512573896158903122);
+static const tl_real LN2 = TL_C(0.693147180559945309417232121458176568);
+static const tl_real INV_LN2 = TL_C(1.44269504088896340735992468100189213743);
+static const tl_real INV_LN10 = TL_C(0.434294481903251827651128918916605082);
+static const tl_real TWO_OVER_SQRT_PI = TL_C(1.12837916709551257389615890312154517169);
 
 /* E c = rate c E a, from c_0 = power; then the value takes power's place (expm1 differs from exp by its value alone). */
 static void exponential(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real value, tl_real power, tl_real rate, tl_fn function) {
@@ -168,8 +168,8 @@ static tl_real gauss(tl_real x) {
   return TL_LIBM(exp)(-h * h) * TL_LIBM(exp)(-(x - h) * (x + h));
 }
 
-/* From here on exp(-x^2), below e^-1600, times any power of any number of the range is zero. */
-static const tl_real FLAT = TL_C(40.0);
+/* From here on exp(-x^2), below the square of the smallest number, times any number of the range is zero. */
+static const tl_real FLAT = TL_MAX_EXP > 1024 ? TL_C(160.0) : TL_C(40.0);
 
 /* E c = rate g E a with g = exp(-a^2), E g = g E(-a^2), rate 2/sqrt(pi) for erf and its opposite for erfc. */
 static void integrate_gauss(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real value, tl_real rate, tl_fn function) {

@@ -6,15 +6,26 @@
 #include "taylor/elementary.h"
 #include "wide.h"
 
-enum { MAX_DEGREE = TL_MAX_CURVE + TL_MAX_ORDER, NBERNOULLI = 10 };
+enum { MAX_DEGREE = TL_MAX_CURVE + TL_MAX_ORDER, NBERNOULLI = TL_MANT_DIG > 64 ? 15 : 10 };
 
-/* B_2j, j = 1..NBERNOULLI. From X = SHIFT up the first term left out, B_22/X^22, is below 1e-22 of the sum. */
-static const tl_real BERNOULLI[NBERNOULLI] = {TL_C(0.166666666666666666666666666667),  TL_C(-0.0333333333333333333333333333333),
-                                              TL_C(0.0238095238095238095238095238095), TL_C(-0.0333333333333333333333333333333),
-                                              TL_C(0.0757575757575757575757575757576), TL_C(-0.253113553113553113553113553114),
-                                              TL_C(1.16666666666666666666666666667),   TL_C(-7.09215686274509803921568627451),
-                                              TL_C(54.9711779448621553884711779449),   TL_C(-529.124242424242424242424242424)};
-static const tl_real SHIFT = TL_C(16.0);
+/* B_2j, j = 1..NBERNOULLI. From X = SHIFT up the first term left out, B_22/X^22 or B_32/X^32, is below 1e-22, or 1e-37 of the sum. */
+#define RATIO(p, q) (TL_C(p) / TL_C(q))
+static const tl_real BERNOULLI[] = {RATIO(1.0, 6.0),
+                                    RATIO(-1.0, 30.0),
+                                    RATIO(1.0, 42.0),
+                                    RATIO(-1.0, 30.0),
+                                    RATIO(5.0, 66.0),
+                                    RATIO(-691.0, 2730.0),
+                                    RATIO(7.0, 6.0),
+                                    RATIO(-3617.0, 510.0),
+                                    RATIO(43867.0, 798.0),
+                                    RATIO(-174611.0, 330.0),
+                                    RATIO(854513.0, 138.0),
+                                    RATIO(-236364091.0, 2730.0),
+                                    RATIO(8553103.0, 6.0),
+                                    RATIO(-23749461029.0, 870.0),
+                                    RATIO(8615841276005.0, 14322.0)};
+static const tl_real SHIFT = TL_MANT_DIG > 64 ? TL_C(32.0) : TL_C(16.0);
 
 static tl_wide add_real(tl_wide a, tl_real x) { return tl_wide_add(a, tl_widen(x)); }
 
@@ -94,7 +105,7 @@ static int off_the_poles(tl_ctx *cx, tl_real *c, tl_real x, tl_fn function) {
 }
 
 /* From here on log Gamma(x) is x (log x - 1) to the last bit but for smaller terms that are smooth too. */
-static const tl_real FAR = TL_C(1e20);
+static const tl_real FAR = TL_C(64.0) / TL_EPSILON;
 
 /* log Gamma at x >= FAR on a brought to the size of 1, where f^(k)(x)/k! = (-1)^k x^(1-k)/(k (k-1)) alone would vanish: with y = scale
  * x coefficient k is (-1)^k x y^-k/(k (k-1)), and the first log x/scale. */
@@ -127,8 +138,14 @@ void tl_lgamma(tl_ctx *cx, tl_real *c, const tl_real *a) {
 }
 
 /* Below STEEP Gamma may underflow although its derivatives beside a pole do not. Below DEAD they do too: coefficient k is about
- * e^(-k-1)/1000! at a distance e from the pole, and e is above 1e-13. */
+ * e^(-k-1)/|DEAD|! at a distance e from the pole, and e is above TL_EPSILON |DEAD|. */
+#if TL_MAX_EXP < 1024
+static const tl_real STEEP = TL_C(-25.0), DEAD = TL_C(-300.0);
+#elif TL_MAX_EXP == 1024
 static const tl_real STEEP = TL_C(-150.0), DEAD = TL_C(-1000.0);
+#else
+static const tl_real STEEP = TL_C(-1500.0), DEAD = TL_C(-3000.0);
+#endif
 
 /* p Gamma(x), by Gamma(x) = Gamma(x+n)/(x (x+1) .. (x+n-1)) where Gamma(x) could underflow; the sums x+i are exact. */
 static tl_real times_gamma(tl_wide p, tl_real x, tl_real value) {

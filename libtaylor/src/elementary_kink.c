@@ -2,6 +2,8 @@
 #include "block.h"
 #include "taylor/elementary.h"
 
+static int is_negative(tl_real x) { return TL_LIBM(copysign)(TL_C(1.0), x) < TL_C(0.0); } /* -0 too */
+
 static void signed_copy(tl_ctx *cx, tl_real *c, const tl_real *a, int negative, tl_fn function) {
   for (int i = 0; i < cx->shape->ncoef; i++) c[i] = negative ? -a[i] : a[i];
   tl_check(cx, c, function);
@@ -11,7 +13,7 @@ void tl_fabs(tl_ctx *cx, tl_real *c, const tl_real *a) {
   if (a[0] == TL_C(0.0) && cx->shape->degree > 0)
     tl_reject(cx, c, TL_SINGULAR, TL_FN_fabs);
   else
-    signed_copy(cx, c, a, signbit(a[0]) != 0, TL_FN_fabs);
+    signed_copy(cx, c, a, is_negative(a[0]), TL_FN_fabs);
 }
 
 static int same_jet(const tl_shape *s, const tl_real *a, const tl_real *b) {
@@ -50,5 +52,5 @@ void tl_copysign(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
   if ((a[0] == TL_C(0.0) || b[0] == TL_C(0.0)) && cx->shape->degree > 0)
     tl_reject(cx, c, TL_SINGULAR, TL_FN_copysign);
   else
-    signed_copy(cx, c, a, (signbit(a[0]) != 0) != (signbit(b[0]) != 0), TL_FN_copysign);
+    signed_copy(cx, c, a, is_negative(a[0]) != is_negative(b[0]), TL_FN_copysign);
 }

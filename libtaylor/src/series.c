@@ -14,9 +14,10 @@ void tl_const(tl_ctx *cx, tl_real *c, tl_real x) {
 }
 
 void tl_integer(tl_ctx *cx, tl_real *c, long long n) {
-  const long long limit = (long long)1 << (sizeof(tl_real) == sizeof(float) ? 24 : 53);
+  const int exact_bits = TL_MANT_DIG < 62 ? TL_MANT_DIG : 62;
+  const long long limit = (long long)1 << exact_bits;
   tl_const(cx, c, (tl_real)n);
-  if (n > limit || n < -limit) tl_reject(cx, c, TL_NONFINITE, TL_FN_seed);
+  if (TL_MANT_DIG < 63 && (n > limit || n < -limit)) tl_reject(cx, c, TL_NONFINITE, TL_FN_seed);
 }
 
 void tl_seed(tl_ctx *cx, tl_real *c, tl_real x, int i) {

@@ -1,14 +1,14 @@
 /* The logarithm in twice the precision. */
 #include "wide.h"
 
-/* log 2: the first 24 bits, which are exact in either precision, and the rest. */
-static const tl_wide LOG_TWO = {.hi = TL_C(0.693147182464599609375), .lo = TL_C(-1.904654299957767878541e-9)};
+/* log 2: the first 24 bits, which are exact in every precision, and the rest. */
+static const tl_wide LOG_TWO = {.hi = TL_C(0.693147182464599609375), .lo = TL_C(-1.9046542999577678785418234319244998656397446e-9)};
 static const tl_real ROOT_HALF = TL_C(0.707106781186547524401);
 
 /* log a = e log 2 + 2 atanh z, a = 2^e m, m between the roots of 1/2 and 2, z = (m-1)/(m+1), |z| < 0.172; z + z^3/3 in twice the
  * precision, the other terms, below 2e-4 of the sum, not. */
 tl_wide tl_wide_log(tl_wide a) {
-  enum { NTERM = 14 };
+  enum { NTERM = TL_MANT_DIG / 5 + 4 }; /* a term more gives 5 bits */
   int e = 0;
   if (TL_LIBM(frexp)(a.hi, &e) < ROOT_HALF) e--;
   const tl_wide m = {.hi = TL_LIBM(ldexp)(a.hi, -e), .lo = TL_LIBM(ldexp)(a.lo, -e)}, one = tl_widen(TL_C(1.0));

@@ -8,7 +8,7 @@
 #include <lapacke.h>
 #include <string.h>
 
-#ifdef TL_REAL_FLOAT
+#if TL_REAL == TL_FLOAT
 #define LAPACK(name) LAPACKE_s##name##_work
 #else
 #define LAPACK(name) LAPACKE_d##name##_work

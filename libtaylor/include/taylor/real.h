@@ -5,29 +5,54 @@
 #include <float.h>
 #include <math.h>
 
-/* Compile with -DTL_REAL_FLOAT for single precision. No other file of the project names a C floating type. */
-#ifdef TL_REAL_FLOAT
+/* Compile everything with -DTL_REAL=TL_FLOAT for single precision, TL_LONG_DOUBLE for C's widest, or TL_FLOAT128 for the 113 bits of
+ * gcc's __float128, a reference rather than a tool: it needs libquadmath. No other file of the project names a C floating type. */
+#define TL_FLOAT 1
+#define TL_DOUBLE 2
+#define TL_LONG_DOUBLE 3
+#define TL_FLOAT128 4
+#ifndef TL_REAL
+#define TL_REAL TL_DOUBLE
+#endif
+
+/* TL_C(x): the number x, written as a constant of type double. TL_LIBM(sin)(x) calls the C library's function for tl_real. */
+#if TL_REAL == TL_FLOAT
+#define TL_REAL_FLOAT
 typedef float tl_real;
 #define TL_C(x) x##f
-#define TL_EPSILON FLT_EPSILON
-#define TL_MAX FLT_MAX
-#define TL_MIN FLT_MIN
-#define TL_MIN_EXP FLT_MIN_EXP
 #define TL_LIBM(name) name##f
-#else
+#define TL_LIMIT(name) FLT_##name
+#elif TL_REAL == TL_DOUBLE
 typedef double tl_real;
 #define TL_C(x) x
-#define TL_EPSILON DBL_EPSILON
-#define TL_MAX DBL_MAX
-#define TL_MIN DBL_MIN
-#define TL_MIN_EXP DBL_MIN_EXP
 #define TL_LIBM(name) name
+#define TL_LIMIT(name) DBL_##name
+#elif TL_REAL == TL_LONG_DOUBLE
+typedef long double tl_real;
+#define TL_C(x) x##L
+#define TL_LIBM(name) name##l
+#define TL_LIMIT(name) LDBL_##name
+#elif TL_REAL == TL_FLOAT128
+#include <quadmath.h>
+typedef __float128 tl_real;
+#define TL_C(x) x##Q
+#define TL_LIBM(name) name##q
+#define TL_LIMIT(name) FLT128_##name
+#else
+#error "TL_REAL is none of TL_FLOAT, TL_DOUBLE, TL_LONG_DOUBLE and TL_FLOAT128"
 #endif
+
+#define TL_EPSILON TL_LIMIT(EPSILON)   /* from 1 to the next larger number */
+#define TL_MANT_DIG TL_LIMIT(MANT_DIG) /* bits of a significand */
+#define TL_MAX TL_LIMIT(MAX)
+#define TL_MIN TL_LIMIT(MIN)         /* the smallest number that has all its bits */
+#define TL_MIN_EXP TL_LIMIT(MIN_EXP) /* TL_MIN is 2^(TL_MIN_EXP - 1), TL_MAX below 2^TL_MAX_EXP */
+#define TL_MAX_EXP TL_LIMIT(MAX_EXP)
 
 /* x rounded to C's float. */
 #define TL_TO_SINGLE(x) ((tl_real)(float)(x))
 
-/* TL_LIBM(sin)(x) calls the C library's function for tl_real. A finite value is one whose difference with itself is zero. */
+/* A finite value is one whose difference with itself is zero. */
 #define TL_ISFINITE(x) ((x) - (x) == TL_C(0.0))
 
 #endif

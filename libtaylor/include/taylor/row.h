@@ -9,7 +9,7 @@
 #if TL_VECTORS
 
 /* Integers of the size of a number, to make masks. */
-#ifdef TL_REAL_FLOAT
+#if TL_REAL == TL_FLOAT
 typedef int tl_row_integer;
 #else
 typedef long long tl_row_integer;
