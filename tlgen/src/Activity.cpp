@@ -208,10 +208,12 @@ private:
     for (const Field &field : type->record->fields) {
       const Type *inner = field.type;
       while (inner->kind == Type::Array) inner = inner->element;
-      if (throughField(field.type))
-        unify(find(member(a, field.name, field.type))->target, find(member(b, field.name, field.type))->target, loc);
-      else if (inner->kind == Type::Struct)
+      if (throughField(field.type)) {
+        Place *other = find(member(b, field.name, field.type))->target;
+        unify(find(member(a, field.name, field.type))->target, other, loc);
+      } else if (inner->kind == Type::Struct) {
         shareMembers(find(a), find(b), inner, loc);
+      }
     }
   }
 

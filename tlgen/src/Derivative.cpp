@@ -12,8 +12,19 @@ using Formula = std::function<Node *(Graph &, Node *x, Node *y)>; // y: the func
 Node *onePlus(Graph &g, Node *x) { return g.add(g.number(1), x); }
 Node *oneMinus(Graph &g, Node *x) { return g.sub(g.number(1), x); }
 Node *square(Graph &g, Node *x) { return g.mul(x, x); }
+Node *oneMinusSquare(Graph &g, Node *x) {
+  Node *sum = onePlus(g, x), *difference = oneMinus(g, x);
+  return g.mul(difference, sum);
+}
+Node *squareMinusOne(Graph &g, Node *x) {
+  Node *sum = onePlus(g, x), *difference = g.sub(x, g.number(1));
+  return g.mul(difference, sum);
+}
 Node *root(Graph &g, Node *x) { return g.math("sqrt", {x}); }
-Node *beyondOne(Graph &g, Node *x) { return g.compare(">=", g.math("fabs", {x}), g.number(1)); }
+Node *beyondOne(Graph &g, Node *x) {
+  Node *one = g.number(1);
+  return g.compare(">=", g.math("fabs", {x}), one);
+}
 Node *notPositive(Graph &g, Node *x) { return g.compare("<=", x, g.number(0)); }
 Node *isZero(Graph &g, Node *x) { return g.compare("==", x, g.number(0)); }
 
@@ -33,10 +44,10 @@ const std::map<std::string, Function> &ofOne() {
       {"cos", {[](Graph &g, Node *x, Node *) { return g.neg(g.math("sin", {x})); }, nullptr}},
       {"tan", {[](Graph &g, Node *, Node *y) { return onePlus(g, square(g, y)); }, nullptr}},
       {"asin",
-       {[](Graph &g, Node *x, Node *) { return g.recip(root(g, g.mul(oneMinus(g, x), onePlus(g, x)))); },
+       {[](Graph &g, Node *x, Node *) { return g.recip(root(g, oneMinusSquare(g, x))); },
         [](Graph &g, Node *x, Node *) { return beyondOne(g, x); }}},
       {"acos",
-       {[](Graph &g, Node *x, Node *) { return g.neg(g.recip(root(g, g.mul(oneMinus(g, x), onePlus(g, x))))); },
+       {[](Graph &g, Node *x, Node *) { return g.neg(g.recip(root(g, oneMinusSquare(g, x)))); },
         [](Graph &g, Node *x, Node *) { return beyondOne(g, x); }}},
       {"atan", {[](Graph &g, Node *x, Node *) { return g.recip(onePlus(g, square(g, x))); }, nullptr}},
       {"sinh", {[](Graph &g, Node *x, Node *) { return g.math("cosh", {x}); }, nullptr}},
@@ -44,10 +55,10 @@ const std::map<std::string, Function> &ofOne() {
       {"tanh", {[](Graph &g, Node *x, Node *) { return square(g, g.recip(g.math("cosh", {x}))); }, nullptr}},
       {"asinh", {[](Graph &g, Node *x, Node *) { return g.recip(root(g, onePlus(g, square(g, x)))); }, nullptr}},
       {"acosh",
-       {[](Graph &g, Node *x, Node *) { return g.recip(root(g, g.mul(g.sub(x, g.number(1)), onePlus(g, x)))); },
+       {[](Graph &g, Node *x, Node *) { return g.recip(root(g, squareMinusOne(g, x))); },
         [](Graph &g, Node *x, Node *) { return g.compare("<=", x, g.number(1)); }}},
       {"atanh",
-       {[](Graph &g, Node *x, Node *) { return g.recip(g.mul(oneMinus(g, x), onePlus(g, x))); },
+       {[](Graph &g, Node *x, Node *) { return g.recip(oneMinusSquare(g, x)); },
         [](Graph &g, Node *x, Node *) { return beyondOne(g, x); }}},
       {"exp", {[](Graph &, Node *, Node *y) { return y; }, nullptr}},
       {"exp2", {[](Graph &g, Node *, Node *y) { return g.scale(LN2, y); }, nullptr}},
@@ -101,7 +112,7 @@ Node *ofMany(Graph &g, Node *y, size_t argument) {
   if (f == "pow" || f == "tl_power") return argument < 2 ? ofPower(g, y, argument) : nullptr;
   if (f == "hypot") return g.div(y->args[argument], y);
   if (f == "atan2") {
-    Node *r = g.recip(g.add(square(g, a), square(g, b)));
+    Node *second = square(g, b), *first = square(g, a), *r = g.recip(g.add(first, second));
     return argument == 0 ? g.mul(b, r) : g.neg(g.mul(a, r));
   }
   if (f == "fma") return argument == 2 ? one : y->args[1 - argument];
@@ -109,8 +120,15 @@ Node *ofMany(Graph &g, Node *y, size_t argument) {
     Node *first = f == "fmin" ? g.compare("<", a, b) : g.compare("<", b, a);
     return argument == 0 ? g.select(first, one, zero) : g.select(first, zero, one);
   }
-  if (f == "fdim") return g.select(g.compare("<", b, a), g.number(argument == 0 ? 1 : -1), zero);
-  if (f == "copysign") return argument == 1 ? zero : g.mul(g.math("copysign", {one, a}), g.math("copysign", {one, b}));
+  if (f == "fdim") {
+    Node *slope = g.number(argument == 0 ? 1 : -1);
+    return g.select(g.compare("<", b, a), slope, zero);
+  }
+  if (f == "copysign") {
+    if (argument == 1) return zero;
+    Node *signOfB = g.math("copysign", {one, b}), *signOfA = g.math("copysign", {one, a});
+    return g.mul(signOfA, signOfB);
+  }
   if (f == "fmod" || f == "remainder") return argument == 0 ? one : g.neg(g.math("rint", {g.div(g.sub(a, y), b)}));
   if (f == "ldexp" || f == "scalbn" || f == "scalbln") return argument == 1 ? nullptr : g.math(f, {one, b});
   return nullptr;
@@ -145,9 +163,12 @@ Node *outsideDomain(Graph &graph, Node *math) {
   Node *y = math->args[1];
   if (f == "pow" || f == "tl_power") return outsideOfPower(graph, math);
   if (f == "hypot") return isZero(graph, math);
-  if (f == "atan2") return graph.logicalAnd(isZero(graph, x), isZero(graph, y));
   if (f == "fmin" || f == "fmax" || f == "fdim") return graph.compare("==", x, y);
-  if (f == "copysign") return x->isNumber() ? nullptr : graph.logicalOr(isZero(graph, x), isZero(graph, y));
+  if (f == "copysign" && x->isNumber()) return nullptr;
+  if (f == "atan2" || f == "copysign") {
+    Node *second = isZero(graph, y), *first = isZero(graph, x);
+    return f == "atan2" ? graph.logicalAnd(first, second) : graph.logicalOr(first, second);
+  }
   if (f == "fmod" || f == "remainder") return isZero(graph, y);
   return nullptr;
 }

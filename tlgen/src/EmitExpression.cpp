@@ -170,8 +170,10 @@ Text FunctionEmitter::pointer(const Expr *e) {
     return {e->text, Primary}; // NULL
   case Expr::Ref:
     return {nameOf(e->var), Primary};
-  case Expr::Index:
-    return {operand(pointer(e->args[0]), Postfix) + "[" + value(e->args[1]).s + "]", Postfix};
+  case Expr::Index: {
+    const std::string index = value(e->args[1]).s;
+    return {operand(pointer(e->args[0]), Postfix) + "[" + index + "]", Postfix};
+  }
   case Expr::Deref:
     return unaryText("*", pointer(e->args[0]));
   case Expr::Decay:
@@ -194,7 +196,10 @@ Text FunctionEmitter::pointer(const Expr *e) {
     return {"(" + move + (e->text == "++" ? ") - " : ") + ") + jets, Sum};
   }
   case Expr::Assign: {
-    if (e->text == "=") return {pointer(e->args[0]).s + " = " + operand(pointer(e->args[1]), Assignment), Assignment};
+    if (e->text == "=") {
+      const Text right = pointer(e->args[1]);
+      return {pointer(e->args[0]).s + " = " + operand(right, Assignment), Assignment};
+    }
     Address offset{"", {}};
     term(offset, e->args[1], element);
     return {pointer(e->args[0]).s + " " + e->text + " " + (offset.offset().empty() ? "0" : offset.offset()), Assignment};
@@ -220,8 +225,10 @@ Text FunctionEmitter::pointerValue(const Expr *e) {
     return pointerValue(e->args[0]);
   case Expr::AddressOf:
     return unaryText("&", pointer(e->args[0]));
-  case Expr::Index:
-    return {operand(pointerValue(e->args[0]), Postfix) + "[" + value(e->args[1]).s + "]", Postfix};
+  case Expr::Index: {
+    const std::string index = value(e->args[1]).s;
+    return {operand(pointerValue(e->args[0]), Postfix) + "[" + index + "]", Postfix};
+  }
   case Expr::Deref:
     return unaryText("*", pointerValue(e->args[0]));
   case Expr::Cast:
@@ -232,14 +239,16 @@ Text FunctionEmitter::pointerValue(const Expr *e) {
     return {"(" + jetDeclaration(e->type, "") + ")" + pointerList(e), Primary};
   case Expr::Binary: {
     bool first = e->args[0]->type->kind == Type::Pointer;
-    return binaryText(e->text, first ? pointerValue(e->args[0]) : value(e->args[0]),
-                      first ? value(e->args[1]) : pointerValue(e->args[1]));
+    const Text right = first ? value(e->args[1]) : pointerValue(e->args[1]);
+    return binaryText(e->text, first ? pointerValue(e->args[0]) : value(e->args[0]), right);
   }
   case Expr::Step:
     return e->prefix ? unaryText(e->text, pointerValue(e->args[0]))
                      : Text{operand(pointerValue(e->args[0]), Postfix) + e->text, Postfix};
-  case Expr::Assign:
-    return binaryText(e->text, pointerValue(e->args[0]), e->text == "=" ? pointerValue(e->args[1]) : value(e->args[1]));
+  case Expr::Assign: {
+    const Text right = e->text == "=" ? pointerValue(e->args[1]) : value(e->args[1]);
+    return binaryText(e->text, pointerValue(e->args[0]), right);
+  }
   case Expr::Conditional:
     return {operand(value(e->args[0]), Or) + " ? " + operand(pointerValue(e->args[1]), Choice) + " : " +
                 operand(pointerValue(e->args[2]), Choice),
@@ -277,8 +286,10 @@ Text FunctionEmitter::value(const Expr *e) {
     return {e->text, e->text[0] == '-' ? Prefix : Primary};
   case Expr::Ref:
     return {nameOf(e->var), Primary};
-  case Expr::Index:
-    return {operand(value(e->args[0]), Postfix) + "[" + value(e->args[1]).s + "]", Postfix};
+  case Expr::Index: {
+    const std::string index = value(e->args[1]).s;
+    return {operand(value(e->args[0]), Postfix) + "[" + index + "]", Postfix};
+  }
   case Expr::Member:
     return {operand(value(e->args[0]), Postfix) + (e->arrow ? "->" : ".") + e->text, Postfix};
   case Expr::Deref:
@@ -293,8 +304,9 @@ Text FunctionEmitter::value(const Expr *e) {
   case Expr::Binary: {
     if (e->text == "&&" || e->text == "||") return logicalValue(e);
     bool difference = e->text == "-" && activePointer(e->args[0]) && activePointer(e->args[1]);
-    if (!difference) return binaryText(e->text, value(e->args[0]), value(e->args[1]));
-    std::string distance = "(" + pointer(e->args[0]).s + " - " + operand(pointer(e->args[1]), Product) + ")";
+    const Text right = value(e->args[1]);
+    if (!difference) return binaryText(e->text, value(e->args[0]), right);
+    std::string distance = "(" + pointer(e->args[0]).s + " - " + operand(right, Product) + ")";
     if (!holdsNumbers(e->args[0]->type->element)) return {distance, Primary};
     Address one{"", {{{"1", Primary}, jetCount(e->args[0]->type->element)}}};
     return {distance + "/" + (one.offset() == "nc" ? "nc" : "(" + one.offset() + ")"), Product};
@@ -319,8 +331,10 @@ Text FunctionEmitter::value(const Expr *e) {
     if (e->type->kind == Type::Pointer && inner->type->kind == Type::Pointer && !dropsConst(e)) return value(inner);
     return {"(" + tlgen::declaration(e->type, "") + ")" + operand(value(inner), Prefix), Prefix};
   }
-  case Expr::Assign:
-    return binaryText(e->text, value(e->args[0]), value(e->args[1]));
+  case Expr::Assign: {
+    const Text right = value(e->args[1]);
+    return binaryText(e->text, value(e->args[0]), right);
+  }
   case Expr::Step:
     return e->prefix ? unaryText(e->text, value(e->args[0])) : Text{operand(value(e->args[0]), Postfix) + e->text, Postfix};
   case Expr::Comma:

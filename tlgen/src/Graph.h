@@ -135,6 +135,9 @@ struct ById {
   template <class T> bool operator()(const T *a, const T *b) const { return a->id < b->id; }
 };
 
+//
+// Sums and products, and what is printed, stand in the order of making. C++ leaves open which argument of a call is made first, so that
+// no two arguments of one call may make nodes: the output would depend on the compiler of tlgen.
 class Graph {
 public:
   // Values. Constants are folded, products keep one Number in front, x*1, x*0, x+0 and double negation go away, products of the same

@@ -53,8 +53,8 @@ Node *Jets::computeValue(Node *node) {
   }
   case Node::Read: {
     const Stored &stored = stored_.at(node->array);
-    if (stored.taped) return tapedAt(stored, value(stored.taped), value(node->args[0]));
-    return graph_.read(stored.c[0], value(node->args[0]));
+    Node *index = value(node->args[0]);
+    return stored.taped ? tapedAt(stored, value(stored.taped), index) : graph_.read(stored.c[0], index);
   }
   default:
     break;
@@ -68,6 +68,10 @@ Node *Jets::computeHigher(Node *node, int power) {
   Node *sum = graph_.number(0);
   auto plus = [&](Node *a, Node *b) { sum = graph_.add(sum, graph_.mul(a, b)); };
   auto c = [&](Node *n, int k) { return coefficient(n, k); };
+  auto plusProduct = [&](Node *a, Node *b, int k) { // the part of order k in a
+    Node *right = c(b, power - k);
+    plus(c(a, k), right);
+  };
   auto &args = node->args;
   switch (node->op) {
   case Node::Leaf: {
@@ -81,17 +85,19 @@ Node *Jets::computeHigher(Node *node, int power) {
   }
   case Node::Read: {
     const Stored &stored = stored_.at(node->array);
-    if (stored.taped) return tapedAt(stored, c(stored.taped, power), value(args[0]));
-    Array *array = stored.c[power];
-    return array ? graph_.read(array, value(args[0])) : sum;
+    if (!stored.taped && !stored.c[power]) return sum;
+    Node *index = value(args[0]);
+    return stored.taped ? tapedAt(stored, c(stored.taped, power), index) : graph_.read(stored.c[power], index);
   }
-  case Node::Add:
-    return graph_.add(c(args[0], power), c(args[1], power));
+  case Node::Add: {
+    Node *right = c(args[1], power);
+    return graph_.add(c(args[0], power), right);
+  }
   case Node::Mul:
-    for (int k = 0; k <= power; ++k) plus(c(args[0], k), c(args[1], power - k));
+    for (int k = 0; k <= power; ++k) plusProduct(args[0], args[1], k);
     return sum;
   case Node::Recip:
-    for (int k = 1; k <= power; ++k) plus(c(args[0], k), c(node, power - k));
+    for (int k = 1; k <= power; ++k) plusProduct(args[0], node, k);
     return graph_.neg(graph_.mul(sum, c(node, 0)));
   case Node::Math:
   case Node::Taylor:
@@ -101,8 +107,10 @@ Node *Jets::computeHigher(Node *node, int power) {
         if (!x->is(0)) plus(graph_.scale(double(k) / power, c(partial(node, i), power - k)), x);
       }
     return sum;
-  case Node::Select:
-    return graph_.select(value(args[0]), c(args[1], power), c(args[2], power));
+  case Node::Select: {
+    Node *no = c(args[2], power), *yes = c(args[1], power);
+    return graph_.select(value(args[0]), yes, no);
+  }
   default:
     return sum;
   }
@@ -183,16 +191,22 @@ Tangents Jets::computeTangents(Node *node, int power) {
     return sum;
   case Node::Mul:
     for (int k = 0; k <= power; ++k) {
-      accumulate(sum, coefficient(args[0], k), tangents(args[1], power - k));
-      accumulate(sum, coefficient(args[1], k), tangents(args[0], power - k));
+      for (size_t i = 0; i < 2; ++i) {
+        const Tangents &other = tangents(args[1 - i], power - k);
+        accumulate(sum, coefficient(args[i], k), other);
+      }
     }
     return sum;
   case Node::Recip:
     for (int k = 0; k <= power; ++k) {
       Node *square = graph_.number(0);
-      if (tangents(args[0], power - k).empty()) continue;
-      for (int i = 0; i <= k; ++i) square = graph_.add(square, graph_.mul(coefficient(node, i), coefficient(node, k - i)));
-      accumulate(sum, graph_.neg(square), tangents(args[0], power - k));
+      const Tangents &x = tangents(args[0], power - k);
+      if (x.empty()) continue;
+      for (int i = 0; i <= k; ++i) {
+        Node *right = coefficient(node, k - i);
+        square = graph_.add(square, graph_.mul(coefficient(node, i), right));
+      }
+      accumulate(sum, graph_.neg(square), x);
     }
     return sum;
   case Node::Math:
@@ -207,8 +221,10 @@ Tangents Jets::computeTangents(Node *node, int power) {
     const Tangents &a = tangents(args[1], power), &b = tangents(args[2], power);
     Node *condition = value(args[0]);
     for (const Tangents *t : {&a, &b})
-      for (auto &[direction, factor] : *t)
-        sum[direction] = graph_.select(condition, number(args[1], power, direction), number(args[2], power, direction));
+      for (auto &[direction, factor] : *t) {
+        Node *no = number(args[2], power, direction), *yes = number(args[1], power, direction);
+        sum[direction] = graph_.select(condition, yes, no);
+      }
     return sum;
   }
   default:
@@ -237,7 +253,7 @@ Tangents Jets::readTangents(Node *node, int power) {
   for (const Part &part : stored.parts[power]) {
     const Direction *d =
         part.column ? this->column(here(part.column)) : direction({0, nullptr, part.row, nullptr, here(part.bound), false});
-    accumulate(sum, tapedAt(stored, part.factor, index), {{d, graph_.number(1)}});
+    accumulate(sum, d, tapedAt(stored, part.factor, index));
   }
   for (auto &[column, array] : stored.columns[power]) sum[this->column(here(column))] = graph_.read(array, index);
   Node *bound = here(stored.bound[power]);
@@ -255,7 +271,8 @@ Node *Jets::tapedAt(const Stored &stored, Node *ofIteration, Node *index) {
 }
 
 Node *Jets::wideIndex(Node *index, long column) {
-  return graph_.integerOp("+", graph_.integerOp("*", index, graph_.integer(columns_)), graph_.integer(column));
+  Node *offset = graph_.integer(column), *row = graph_.integerOp("*", index, graph_.integer(columns_));
+  return graph_.integerOp("+", row, offset);
 }
 
 } // namespace tlgen

@@ -175,9 +175,17 @@ bool Jets::noteDifferences(const Loop *loop) {
     return end == trial.ends.end() ? tangents(loop->carried[place.carried].out, place.power) : end->second;
   };
   auto end = [&](const Place &place) { return number(loop->carried[place.carried].out, place.power, place.column); };
+  auto endsAlike = [&](const Place &a, const Place &b) {
+    if (!a.row) {
+      Node *const one = end(a), *const other = end(b);
+      return one == other;
+    }
+    const Tangents other = row(b), one = row(a);
+    return one == other;
+  };
   bool found = false;
   for (auto &[place, other] : trial.same)
-    if (place.row ? row(place) != row(other) : end(place) != end(other)) found = trial.different.insert({place, other}).second || found;
+    if (!endsAlike(place, other)) found = trial.different.insert({place, other}).second || found;
   return found;
 }
 

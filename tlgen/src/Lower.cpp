@@ -403,7 +403,8 @@ Stmt *Lowering::copyOf(const c::CallExpr *call, const BulkCopy &copy) {
     count = node(Expr::Binary, bytes,
                  {expr(copy.factor), node(Expr::Literal, bytes, {}, std::to_string(copy.bytes) + suffix(bytes->getType()))}, "/");
   if (copy.factor && !copy.bytes) count = node(Expr::Binary, bytes, {node(Expr::Cast, bytes, {expr(copy.factor)}), count}, "*");
-  return copyLoop(program_, loc(call->getExprLoc()), expr(copy.to), copy.from ? expr(copy.from) : nullptr, count, copy.overlap);
+  Expr *from = copy.from ? expr(copy.from) : nullptr;
+  return copyLoop(program_, loc(call->getExprLoc()), expr(copy.to), from, count, copy.overlap);
 }
 
 Expr *Lowering::node(Expr::Kind kind, const c::Expr *e, std::vector<Expr *> args, const std::string &text) {

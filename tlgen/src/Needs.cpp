@@ -274,8 +274,8 @@ Results Needs::derivatives(const std::string &suffix, std::function<LeafJet(Node
 Results Needs::linearise() {
   long n = equations_.n;
   auto column = [=](Node *index, bool velocity) { // rows: interleaved, so that a coordinate's columns stand together
-    if (explicit_) return graph_.integerOp("+", index, graph_.integer(velocity ? n : 0));
-    return graph_.integerOp("+", graph_.integerOp("*", graph_.integer(2), index), graph_.integer(velocity));
+    Node *offset = graph_.integer(!velocity ? 0 : explicit_ ? n : 1);
+    return graph_.integerOp("+", explicit_ ? index : graph_.integerOp("*", graph_.integer(2), index), offset);
   };
   Node *one = graph_.number(1);
   auto inputs = [=](Node *leaf) {

@@ -165,8 +165,8 @@ std::string RowPrinter::ranges(const Updates &updates, int indent) {
     for (auto it = beyond.sum.begin(); it != beyond.sum.end();) it = it->first->bound ? beyond.sum.erase(it) : std::next(it);
     if (!addsColumnsOnly(beyond)) rest.push_back(beyond);
   }
-  return columnLoop("0", index(first), body(updates, first, false, indent + 4), indent) +
-         columnLoop("TL_ROW(" + index(first) + ")", end, body(rest, first, true, indent + 4), indent);
+  const std::string behind = columnLoop("TL_ROW(" + index(first) + ")", end, body(rest, first, true, indent + 4), indent);
+  return columnLoop("0", index(first), body(updates, first, false, indent + 4), indent) + behind;
 }
 
 // Single columns, when the body's sums are done.
@@ -192,7 +192,8 @@ std::string RowPrinter::print(const Loop *loop, bool start, int indent) {
     if (!u.index && u.row->carriedBy) changed.insert(u.row);
     (upper ? later : first).push_back(u);
   }
-  return ranges(first, indent) + ranges(later, indent) + columns(all, indent);
+  const std::string own = columns(all, indent), upper = ranges(later, indent);
+  return ranges(first, indent) + upper + own;
 }
 
 } // namespace tlgen

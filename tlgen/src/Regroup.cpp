@@ -104,7 +104,10 @@ Node *Regrouping::factor(int number) {
   auto pair = joined_.find(number);
   if (pair == joined_.end()) return made(factors_[size_t(number)]);
   Node *&known = madePairs_[number];
-  if (!known) known = graph_.plainProduct(factor(pair->second.first), factor(pair->second.second));
+  if (!known) {
+    Node *right = factor(pair->second.second);
+    known = graph_.plainProduct(factor(pair->second.first), right);
+  }
   return known;
 }
 

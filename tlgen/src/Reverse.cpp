@@ -130,8 +130,9 @@ private:
   }
 
   void sweepOperation(Node *node, Node *adjoint) {
+    Node *zero = graph_.number(0);
     auto give = [&](Node *arg, Node *value) {
-      if (!Graph::covers(node->guard, arg->guard)) value = graph_.select(at(node->guard->holds), value, graph_.number(0));
+      if (!Graph::covers(node->guard, arg->guard)) value = graph_.select(at(node->guard->holds), value, zero);
       contribute(arg, value);
     };
     auto &args = node->args;
@@ -141,7 +142,10 @@ private:
       contribute(args[1], adjoint);
       return;
     case Node::Mul:
-      if (args[0] == args[1]) return give(args[0], graph_.mul(graph_.scale(2, adjoint), at(args[0])));
+      if (args[0] == args[1]) {
+        Node *factor = at(args[0]);
+        return give(args[0], graph_.mul(graph_.scale(2, adjoint), factor));
+      }
       for (size_t k = 0; k < 2; ++k)
         if (isActive(args[k])) give(args[k], graph_.mul(adjoint, at(args[1 - k])));
       return;
@@ -151,7 +155,7 @@ private:
       return;
     }
     case Node::Select: {
-      Node *condition = at(args[0]), *zero = graph_.number(0);
+      Node *condition = at(args[0]);
       contribute(args[1], graph_.select(condition, adjoint, zero));
       contribute(args[2], graph_.select(condition, zero, adjoint));
       return;

@@ -216,7 +216,7 @@ Graph::Scaled Graph::joined(const Scaled &a, const Scaled &b, const std::vector<
       if (factor->fixed) product = mul(product, factor);
     return product;
   };
-  Node *sum = add(fixedPart(a), fixedPart(b));
+  Node *right = fixedPart(b), *sum = add(fixedPart(a), right);
   for (Node *factor : moving) sum = mul(sum, factor);
   return scaled(sum);
 }

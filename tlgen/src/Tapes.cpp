@@ -29,7 +29,8 @@ Node *Tapes::at(Node *node, Graph::Replacement &there) {
   if (node->op == Node::Affine) return graph_->replace(node, there);
   Node *here;
   if (mustTape(node)) {
-    here = graph_->read(tape(node), graph_->replace(place(node->loop), there));
+    Node *index = graph_->replace(place(node->loop), there);
+    here = graph_->read(tape(node), index);
   } else {
     std::vector<Node *> args;
     for (Node *arg : node->args) args.push_back(at(arg, there));
@@ -75,7 +76,8 @@ Array *Tapes::tape(Node *node) {
 // The place of an iteration in a tape.
 Node *Tapes::place(const Loop *loop) {
   if (!loop->outer) return loop->index;
-  return graph_->integerOp("+", graph_->integerOp("*", graph_->integer(most(loop->trips)), place(loop->outer)), loop->index);
+  Node *before = place(loop->outer);
+  return graph_->integerOp("+", graph_->integerOp("*", graph_->integer(most(loop->trips)), before), loop->index);
 }
 
 } // namespace tlgen

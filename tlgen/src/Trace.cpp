@@ -122,7 +122,10 @@ Array *Tracer::rows(int object, const std::string &name) {
   const size_t length = state_.objects.at(object)->size();
   if (Array *whole = wholeArray(*state_.objects.at(object))) return whole;
   Array *array = graph_.array(name, long(length));
-  for (size_t i = 0; i < length; ++i) graph_.write(array, nullptr, graph_.integer(long(i)), resultCell(object, i));
+  for (size_t i = 0; i < length; ++i) {
+    Node *value = resultCell(object, i);
+    graph_.write(array, nullptr, graph_.integer(long(i)), value);
+  }
   return array;
 }
 

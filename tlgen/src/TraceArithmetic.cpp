@@ -258,7 +258,10 @@ Node *Tracer::test(const Expr *e, const std::vector<Node *> &args) {
       {"isgreater", ">"}, {"isgreaterequal", ">="}, {"isless", "<"}, {"islessequal", "<="}};
   auto op = comparisons.find(name);
   if (op != comparisons.end()) return graph_.compare(op->second, args[0], args[1]);
-  if (name == "islessgreater") return graph_.logicalOr(graph_.compare("<", args[0], args[1]), graph_.compare("<", args[1], args[0]));
+  if (name == "islessgreater") {
+    Node *greater = graph_.compare("<", args[1], args[0]);
+    return graph_.logicalOr(graph_.compare("<", args[0], args[1]), greater);
+  }
   if (name == "abs" || name == "labs" || name == "llabs") {
     Node *negative = compare("<", args[0], graph_.integer(0), e->type);
     Node *opposite = integerArithmetic("-", graph_.integer(0), args[0], e->type);
@@ -266,7 +269,8 @@ Node *Tracer::test(const Expr *e, const std::vector<Node *> &args) {
   }
   bool known = args[0]->isNumber() && (name == "isnan" || name == "isinf" || name == "isfinite");
   if (known) return graph_.integer(name == "isfinite"); // constants are finite
-  return graph_.compare("!=", graph_.math(name, args), graph_.integer(0));
+  Node *zero = graph_.integer(0);
+  return graph_.compare("!=", graph_.math(name, args), zero);
 }
 
 } // namespace tlgen::symbols

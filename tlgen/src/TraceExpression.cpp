@@ -164,10 +164,14 @@ PointerRef Tracer::advanced(const PointerRef &p, Node *by, bool back, const Type
 }
 
 Node *Tracer::difference(const Pointer &a, const Pointer &b, long size) {
-  if (a.condition) return graph_.select(a.condition, difference(*a.yes, b, size), difference(*a.no, b, size));
-  if (b.condition) return graph_.select(b.condition, difference(a, *b.yes, size), difference(a, *b.no, size));
+  if (a.condition || b.condition) {
+    const Pointer &choice = a.condition ? a : b;
+    auto with = [&](const Pointer &one) { return a.condition ? difference(one, b, size) : difference(a, one, size); };
+    Node *no = with(*choice.no), *yes = with(*choice.yes);
+    return graph_.select(choice.condition, yes, no);
+  }
   if (a.object != b.object) unsuitable("pointers into different objects are subtracted");
-  Node *d = graph_.integerOp("-", offset(a), offset(b));
+  Node *right = offset(b), *d = graph_.integerOp("-", offset(a), right);
   if (size == 1) return d;
   if (d->op != Node::Affine) return graph_.integerOp("/", d, graph_.integer(size));
   auto terms = d->terms;
@@ -176,16 +180,24 @@ Node *Tracer::difference(const Pointer &a, const Pointer &b, long size) {
 }
 
 Node *Tracer::comparePointers(const std::string &op, const Pointer &a, const Pointer &b) {
-  auto either = [&](Node *condition, Node *yes, Node *no) {
-    return graph_.logicalOr(graph_.logicalAnd(condition, yes), graph_.logicalAnd(graph_.logicalNot(condition), no));
-  };
-  if (a.condition) return either(a.condition, comparePointers(op, *a.yes, b), comparePointers(op, *a.no, b));
-  if (b.condition) return either(b.condition, comparePointers(op, a, *b.yes), comparePointers(op, a, *b.no));
+  if (a.condition || b.condition) {
+    const Pointer &choice = a.condition ? a : b;
+    auto with = [&](const Pointer &one) { return a.condition ? comparePointers(op, one, b) : comparePointers(op, a, one); };
+    Node *no = with(*choice.no), *yes = with(*choice.yes);
+    Node *otherwise = graph_.logicalAnd(graph_.logicalNot(choice.condition), no);
+    return graph_.logicalOr(graph_.logicalAnd(choice.condition, yes), otherwise);
+  }
   Type type;
   type.kind = Type::Integer;
   type.name = "long";
-  if (a.object == b.object) return compare(op, offset(a), offset(b), &type);
-  if (op != "==" && op != "!=") return compare(op, graph_.integer(a.object), graph_.integer(b.object), &type); // any answer will do
+  if (a.object == b.object) {
+    Node *right = offset(b);
+    return compare(op, offset(a), right, &type);
+  }
+  if (op != "==" && op != "!=") { // any answer will do
+    Node *right = graph_.integer(b.object);
+    return compare(op, graph_.integer(a.object), right, &type);
+  }
   Node *same = a.object == Pointer::null ? isNull(b) : b.object == Pointer::null ? isNull(a) : nullptr;
   if (!same && isGiven(a) && isGiven(b)) unsuitable("whether two pointers of the parameters are the same is not known");
   if (!same) same = graph_.integer(0);
@@ -199,8 +211,8 @@ bool Tracer::isGiven(const Pointer &p) const {
 
 Node *Tracer::isNull(const Pointer &p) {
   if (p.condition) {
-    Node *yes = graph_.logicalAnd(p.condition, isNull(*p.yes));
-    return graph_.logicalOr(yes, graph_.logicalAnd(graph_.logicalNot(p.condition), isNull(*p.no)));
+    Node *yes = graph_.logicalAnd(p.condition, isNull(*p.yes)), *no = isNull(*p.no);
+    return graph_.logicalOr(yes, graph_.logicalAnd(graph_.logicalNot(p.condition), no));
   }
   if (!isGiven(p)) return graph_.integer(p.object == Pointer::null);
   const Object &o = objects_[size_t(p.object)];
@@ -209,7 +221,8 @@ Node *Tracer::isNull(const Pointer &p) {
   s.text = "(" + o.text + " != 0)";
   s.integer = true;
   s.length = 1;
-  return graph_.compare("==", graph_.leaf(graph_.slot(s), o.indices), graph_.integer(0));
+  Node *null = graph_.integer(0);
+  return graph_.compare("==", graph_.leaf(graph_.slot(s), o.indices), null);
 }
 
 // Choices

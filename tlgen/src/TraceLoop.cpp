@@ -259,7 +259,7 @@ bool Tracer::settle(Kept &mine, Mark &mark, const Cell &now) {
     Cell expected = substituted(mark.start, mine.loop, next.begin()->second);
     if (expected.kind == Cell::Number && sameNumber(expected, now)) return true;
     bool pointers = now.kind == Cell::Address && expected.kind == Cell::Address && !now.pointer->condition;
-    if (pointers && now.pointer->object == expected.pointer->object && offset(*now.pointer) == offset(*expected.pointer)) return true;
+    if (pointers && now.pointer->object == expected.pointer->object && sameOffset(*now.pointer, *expected.pointer)) return true;
   }
   mark.kind = Mark::Lost;
   mark.start = {Cell::Lost, nullptr, nullptr};
@@ -271,7 +271,7 @@ Mark Tracer::classify(Kept &mine, const Cell &start, const Cell &now) {
   Node *k = mine.loop->index;
   bool fromPointer = start.kind == Cell::Address && now.kind == Cell::Address && !start.pointer->condition && !now.pointer->condition;
   if (fromPointer && start.pointer->object == now.pointer->object && start.pointer->object != Pointer::null) {
-    Node *d = graph_.integerOp("-", offset(*now.pointer), offset(*start.pointer));
+    Node *before = offset(*start.pointer), *d = graph_.integerOp("-", offset(*now.pointer), before);
     if (!d->isConstant()) return mark;
     mark.kind = Mark::Steps;
     mark.step = d->offset;
@@ -454,7 +454,8 @@ void Tracer::spread(int object, const Element &e, Loop *loop) {
     if (!trips->isConstant()) irregular("an array is written by more than two loops");
     for (long j = 0; j < trips->offset; ++j) {
       Graph::Replacement inner = {{e.over->index, graph_.integer(j)}};
-      set(graph_.replace(at, inner), substituted(cell, e.over, graph_.integer(j)));
+      const Cell value = substituted(cell, e.over, graph_.integer(j));
+      set(graph_.replace(at, inner), value);
     }
   }
   store(object, std::move(cells));

@@ -60,7 +60,7 @@ PointerRef Tracer::choice(Node *condition, const PointerRef &yes, const PointerR
   if (condition->isConstant()) return condition->offset ? yes : no;
   if (yes == no) return yes;
   if (!yes->condition && !no->condition && yes->object == no->object) {
-    if (yes->object == Pointer::null || offset(*yes) == offset(*no)) return yes;
+    if (yes->object == Pointer::null || sameOffset(*yes, *no)) return yes;
   }
   Pointer p;
   p.condition = condition;
@@ -70,7 +70,10 @@ PointerRef Tracer::choice(Node *condition, const PointerRef &yes, const PointerR
 }
 
 PointerRef Tracer::moved(const PointerRef &p, long stride, Node *index) {
-  if (p->condition) return choice(p->condition, moved(p->yes, stride, index), moved(p->no, stride, index));
+  if (p->condition) {
+    PointerRef no = moved(p->no, stride, index), yes = moved(p->yes, stride, index);
+    return choice(p->condition, yes, no);
+  }
   if (index->isConstant() && p->indices.empty()) return moved(p, stride * index->offset);
   Pointer m = *p;
   Node *&sum = m.indices[stride];
@@ -83,10 +86,18 @@ PointerRef Tracer::moved(const PointerRef &p, long stride, Node *index) {
 }
 
 PointerRef Tracer::moved(const PointerRef &p, long fixed) {
-  if (p->condition) return choice(p->condition, moved(p->yes, fixed), moved(p->no, fixed));
+  if (p->condition) {
+    PointerRef no = moved(p->no, fixed), yes = moved(p->yes, fixed);
+    return choice(p->condition, yes, no);
+  }
   Pointer m = *p;
   m.fixed += fixed;
   return std::make_shared<const Pointer>(std::move(m));
+}
+
+bool Tracer::sameOffset(const Pointer &a, const Pointer &b) {
+  Node *const one = offset(a), *const other = offset(b);
+  return one == other;
 }
 
 // How many leaves behind the begin of its object it points.
@@ -375,7 +386,8 @@ State Tracer::merged(const State &a, const State &b) {
   result.path = stem;
   if (!opposite || one != a.path || other != b.path) { // others that began like them are still on their way
     state_.path = stem;
-    result.path = under(graph_.logicalOr(conjunction(a.path), conjunction(b.path)));
+    Node *theirs = conjunction(b.path);
+    result.path = under(graph_.logicalOr(conjunction(a.path), theirs));
   }
   for (auto it = result.objects.begin(); it != result.objects.end();) {
     auto theirs = b.objects.find(it->first);

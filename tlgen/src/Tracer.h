@@ -233,6 +233,7 @@ private:
   PointerRef moved(const PointerRef &p, long fixed);
   PointerRef choice(Node *condition, const PointerRef &yes, const PointerRef &no);
   Node *offset(const Pointer &p);
+  bool sameOffset(const Pointer &a, const Pointer &b);
   Cells read(const PointerRef &p, long size, const Type *type);
   void write(const PointerRef &p, const Cells &cells);
   void writeWhere(Node *condition, const Pointer &p, const Cells &cells);
