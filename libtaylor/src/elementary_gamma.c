@@ -56,7 +56,7 @@ static tl_wide zeta_tail(int k, tl_wide r) {
 /* s[1] = psi(x), s[k] = zeta(k,x) for k = 2..degree; x > 0. The tails start where the terms of degree k still fall quickly. */
 static void polygammas(tl_wide *s, tl_wide x, int degree) {
   const tl_wide one = tl_widen(TL_C(1.0));
-  const tl_real start = SHIFT + (tl_real)degree;
+  const tl_real start = SHIFT + (tl_real)(TL_MANT_DIG > 64 ? 2 * degree : degree);
   s[1] = digamma(x);
   for (int k = 2; k <= degree; k++) s[k] = tl_widen(TL_C(0.0));
   if (degree < 2) return;

@@ -1,5 +1,5 @@
 /* Functions with a rule of the user's, of one argument and of several. */
-#include "close.h"
+#include "close_real.h"
 #include "functions.h"
 #include "random.h"
 #include "reference_jet.h"
@@ -11,8 +11,8 @@ static const tl_spec SPECS[] = {
 };
 enum { NSPEC = sizeof SPECS / sizeof *SPECS };
 
-static void draw_integers(rng *r, double *a, int n) {
-  for (int i = 0; i < n; i++) a[i] = (double)(rng_below(r, 9) - 4);
+static void draw_integers(rng *r, tl_real *a, int n) {
+  for (int i = 0; i < n; i++) a[i] = (tl_real)(rng_below(r, 9) - 4);
 }
 
 static unsigned reciprocal_rule(tl_real *f, tl_real x, int degree, const void *user) {
@@ -35,7 +35,7 @@ static void a_rule_of_one_argument_composes(void **state) {
     a[0] = 1.0;
     tl_rdiv(cx, expected, numerator, a);
     tl_apply(cx, c, a, reciprocal_rule, &numerator);
-    assert_all_same(c, expected, space.shape.ncoef);
+    assert_jet_same(c, expected, space.shape.ncoef);
     assert_int_equal(cx->status.bits, TL_OK);
     jet_space_free(&space);
   }
@@ -59,13 +59,13 @@ static void places_are_those_of_the_complete_shape(void **state) {
 /* A polynomial around the point (x_0, x_1, ..) by its coefficients. */
 typedef struct polynomial {
   int nargs;
-  double x[TL_RULE_ARGS];
-  double f[1001];
+  tl_real x[TL_RULE_ARGS];
+  tl_real f[1001];
 } polynomial;
 
 static unsigned polynomial_rule(tl_real *f, const tl_real *x, int degree, const void *user) {
   const polynomial *p = user;
-  for (int i = 0; i < p->nargs; i++) assert_same(x[i], p->x[i]);
+  for (int i = 0; i < p->nargs; i++) assert_real_same(x[i], p->x[i]);
   for (int i = 0; i < tl_rule_size(p->nargs, degree); i++) f[i] = p->f[i];
   return TL_OK;
 }
@@ -104,10 +104,10 @@ static void polynomials_of_several_arguments_are_exact(void **state) {
       }
       expand(cx, expected, &p, args, h, term);
       tl_apply_n(cx, c, nargs, (const tl_real *const *)args, polynomial_rule, &p);
-      assert_all_same(c, expected, n);
+      assert_jet_same(c, expected, n);
       const int last = nargs - 1; /* the result takes the place of an argument */
       tl_apply_n(cx, args[last], nargs, (const tl_real *const *)args, polynomial_rule, &p);
-      assert_all_same(args[last], expected, n);
+      assert_jet_same(args[last], expected, n);
       assert_int_equal(cx->status.bits, TL_OK);
       jet_space_free(&space);
     }
@@ -135,7 +135,7 @@ static void one_jet_may_be_several_arguments(void **state) {
     draw_integers(&r, a, space.shape.ncoef);
     tl_mul(&space.cx, expected, a, a);
     tl_apply_n(&space.cx, a, 2, (const tl_real *const[]){a, a}, product_rule, NULL);
-    assert_all_same(a, expected, space.shape.ncoef);
+    assert_jet_same(a, expected, space.shape.ncoef);
     jet_space_free(&space);
   }
 }
@@ -189,7 +189,7 @@ static void failures_are_recorded(void **state) {
     tl_apply_n(cx, c, 2, args, forgetful_rule, &forgotten);
     assert_failure(cx, c, TL_NONFINITE);
   }
-  y[0] = (double)INFINITY;
+  y[0] = (tl_real)INFINITY;
   tl_ctx_clear(cx);
   tl_apply_n(cx, c, 2, args, never_called, NULL);
   assert_failure(cx, c, TL_NONFINITE);

@@ -1,5 +1,5 @@
 /* Arithmetic of jets: identities that hold exactly for integers, aliasing, and the failures of arithmetic. */
-#include "close.h"
+#include "close_real.h"
 #include "functions.h"
 #include "random.h"
 #include "reference_jet.h"
@@ -13,8 +13,11 @@ static const tl_spec SPECS[] = {
 };
 enum { NSPEC = sizeof SPECS / sizeof *SPECS, NJET = 8 };
 
-static void draw_integers(rng *r, double *a, int n) {
-  for (int i = 0; i < n; i++) a[i] = (double)(rng_below(r, 19) - 9);
+/* So small that sums of their products in the shapes above are exact. */
+enum { LARGEST = TL_MANT_DIG < 53 ? 1 : 9 };
+
+static void draw_integers(rng *r, tl_real *a, int n) {
+  for (int i = 0; i < n; i++) a[i] = (tl_real)(rng_below(r, 2 * LARGEST + 1) - LARGEST);
 }
 
 static void for_each_shape(void (*check)(tl_ctx *cx, tl_real *jet[NJET], rng *r)) {
@@ -36,7 +39,7 @@ static void check_product(tl_ctx *cx, tl_real *jet[NJET], rng *r) {
   const tl_shape *s = cx->shape;
   static ref_shape plain;
   ref_shape_init(&plain, s->curve, s->nvar, s->order);
-  double *expected = jet[3];
+  tl_real *expected = jet[3];
   for (int i = 0; i < s->ncoef; i++) expected[i] = 0.0;
   for (int i = 0; i < s->ncoef; i++)
     for (int j = 0; j < s->ncoef; j++) {
@@ -46,10 +49,10 @@ static void check_product(tl_ctx *cx, tl_real *jet[NJET], rng *r) {
       if (at >= 0) expected[at] += jet[0][i] * jet[1][j];
     }
   tl_mul(cx, jet[2], jet[0], jet[1]);
-  assert_all_same(jet[2], expected, s->ncoef);
+  assert_jet_same(jet[2], expected, s->ncoef);
   for (int i = 0; i < s->ncoef; i++) expected[i] += jet[4][i];
   tl_muladd(cx, jet[4], jet[0], jet[1]);
-  assert_all_same(jet[4], expected, s->ncoef);
+  assert_jet_same(jet[4], expected, s->ncoef);
 }
 static void products_agree_with_added_exponents(void **state) {
   (void)state;
@@ -62,34 +65,34 @@ static void check_ring(tl_ctx *cx, tl_real *jet[NJET], rng *r) {
   tl_real *a = jet[0], *b = jet[1], *c = jet[2], *left = jet[3], *right = jet[4], *t = jet[5];
   tl_mul(cx, left, a, b); /* a b = b a */
   tl_mul(cx, right, b, a);
-  assert_all_same(left, right, n);
+  assert_jet_same(left, right, n);
   tl_mul(cx, left, left, c); /* (a b) c = a (b c) */
   tl_mul(cx, right, b, c);
   tl_mul(cx, right, a, right);
-  assert_all_same(left, right, n);
+  assert_jet_same(left, right, n);
   tl_add(cx, left, a, b); /* (a+b) c = a c + b c */
   tl_mul(cx, left, left, c);
   tl_mul(cx, right, a, c);
   tl_muladd(cx, right, b, c);
-  assert_all_same(left, right, n);
+  assert_jet_same(left, right, n);
   tl_sub(cx, left, a, b); /* (a-b) + b = a */
   tl_add(cx, left, left, b);
-  assert_all_same(left, a, n);
+  assert_jet_same(left, a, n);
   tl_neg(cx, left, a); /* -(-a) = 0 - (-a) */
   tl_rsub(cx, left, 0.0, left);
-  assert_all_same(left, a, n);
+  assert_jet_same(left, a, n);
   tl_scale(cx, left, a, 3.0); /* 3a - 2a = a */
   tl_axpy(cx, left, -2.0, a);
-  assert_all_same(left, a, n);
+  assert_jet_same(left, a, n);
   tl_shift(cx, left, a, 5.0); /* a + 5 */
   tl_const(cx, t, 5.0);
   tl_add(cx, right, a, t);
-  assert_all_same(left, right, n);
+  assert_jet_same(left, right, n);
   tl_divc(cx, left, left, 4.0);
   tl_scale(cx, right, right, 0.25);
-  assert_all_same(left, right, n);
+  assert_jet_same(left, right, n);
   tl_copy(cx, left, a);
-  assert_all_same(left, a, n);
+  assert_jet_same(left, a, n);
 }
 static void integer_jets_are_a_ring(void **state) {
   (void)state;
@@ -104,11 +107,11 @@ static void check_quotient(tl_ctx *cx, tl_real *jet[NJET], rng *r) {
   b[0] = -1.0;
   tl_div(cx, q, a, b);
   tl_mul(cx, back, q, b);
-  assert_all_same(back, a, n);
+  assert_jet_same(back, a, n);
   tl_rdiv(cx, q, 3.0, b);
   tl_mul(cx, back, q, b);
   tl_const(cx, a, 3.0);
-  assert_all_same(back, a, n);
+  assert_jet_same(back, a, n);
 }
 static void quotients_times_divisors_are_exact_for_unit_values(void **state) {
   (void)state;
@@ -123,13 +126,13 @@ static void quotients_do_not_depend_on_a_power_of_two(void **state) {
   tl_ctx *cx = &space.cx;
   tl_real *a = tl_push(cx, 1), *b = tl_push(cx, 1), *expected = tl_push(cx, 1), *q = tl_push(cx, 1);
   rng r = {5};
-  for (int i = 0; i < space.shape.ncoef; i++) a[i] = rng_uniform(&r, 1.0, 1.9) * (i % 2 ? -1.0 : 1.0);
-  for (int i = 0; i < space.shape.ncoef; i++) b[i] = rng_uniform(&r, 1.0, 1.9);
+  for (int i = 0; i < space.shape.ncoef; i++) a[i] = (tl_real)(rng_uniform(&r, 1.0, 1.9) * (i % 2 ? -1.0 : 1.0));
+  for (int i = 0; i < space.shape.ncoef; i++) b[i] = (tl_real)rng_uniform(&r, 1.0, 1.9);
   tl_div(cx, expected, a, b);
-  tl_scale(cx, a, a, 0x1p1023);
-  tl_scale(cx, b, b, 0x1p1023);
+  tl_scale(cx, a, a, real_power_of_two(TL_MAX_EXP - 1));
+  tl_scale(cx, b, b, real_power_of_two(TL_MAX_EXP - 1));
   tl_div(cx, q, a, b);
-  assert_all_same(q, expected, space.shape.ncoef);
+  assert_jet_same(q, expected, space.shape.ncoef);
   assert_int_equal(cx->status.bits, TL_OK);
   jet_space_free(&space);
 }
@@ -143,7 +146,7 @@ static void euler_four_squares_are_exact_in_eight_variables(void **state) {
   tl_real *x[8];
   for (int i = 0; i < 8; i++) {
     x[i] = tl_push(cx, 1);
-    tl_seed(cx, x[i], (double)(i * i - 11), i);
+    tl_seed(cx, x[i], (tl_real)(i * i - 11), i);
   }
   tl_real *left = tl_push(cx, 1), *right = tl_push(cx, 1), *sum = tl_push(cx, 1), *t = tl_push(cx, 1);
   tl_const(cx, left, 0.0);
@@ -160,34 +163,35 @@ static void euler_four_squares_are_exact_in_eight_variables(void **state) {
     tl_const(cx, sum, 0.0);
     for (int i = 0; i < 4; i++) {
       tl_mul(cx, t, x[i], x[4 + partner[row][i]]);
-      tl_axpy(cx, sum, (double)sign[row][i], t);
+      tl_axpy(cx, sum, (tl_real)sign[row][i], t);
     }
     tl_muladd(cx, right, sum, sum);
   }
-  assert_all_same(left, right, space.shape.ncoef);
-  assert_same(tl_coef(&space.shape, left, 0, (int[]){2, 0, 0, 0, 0, 0, 0, 2}), 1.0);
+  assert_jet_same(left, right, space.shape.ncoef);
+  assert_real_same(tl_coef(&space.shape, left, 0, (int[]){2, 0, 0, 0, 0, 0, 0, 2}), 1.0);
   jet_space_free(&space);
 }
 
-/* Fateman: (1 + x + y + z + t)^16, coefficient 16!/(i! j! k! l! (16-i-j-k-l)!). */
+/* Fateman: (1 + x + y + z + t)^n, coefficient n!/(i! j! k! l! (n-i-j-k-l)!). */
 static void fateman_power_is_exact(void **state) {
   (void)state;
+  enum { SQUARINGS = TL_MANT_DIG < 53 ? 3 : 4, POWER = 1 << SQUARINGS };
   jet_space space;
-  jet_space_init(&space, tl_complete(4, 16), 1);
+  jet_space_init(&space, tl_complete(4, POWER), 1);
   tl_ctx *cx = &space.cx;
   tl_real *p = tl_push(cx, 1);
   tl_const(cx, p, 1.0);
   for (int i = 0; i < 4; i++) p[1 + i] = 1.0;
-  for (int i = 0; i < 4; i++) tl_mul(cx, p, p, p);
-  int64_t factorial[17] = {1};
-  for (int i = 1; i <= 16; i++) factorial[i] = i * factorial[i - 1];
+  for (int i = 0; i < SQUARINGS; i++) tl_mul(cx, p, p, p);
+  int64_t factorial[POWER + 1] = {1};
+  for (int i = 1; i <= POWER; i++) factorial[i] = i * factorial[i - 1];
   for (int at = 0; at < space.shape.ncoef; at++) {
     int k, alpha[4];
     tl_monomial(&space.shape, at, &k, alpha);
-    const int rest = 16 - alpha[0] - alpha[1] - alpha[2] - alpha[3];
+    const int rest = POWER - alpha[0] - alpha[1] - alpha[2] - alpha[3];
     const int64_t c =
-        factorial[16] / factorial[alpha[0]] / factorial[alpha[1]] / factorial[alpha[2]] / factorial[alpha[3]] / factorial[rest];
-    assert_same(p[at], (double)c);
+        factorial[POWER] / factorial[alpha[0]] / factorial[alpha[1]] / factorial[alpha[2]] / factorial[alpha[3]] / factorial[rest];
+    assert_real_same(p[at], (tl_real)c);
   }
   jet_space_free(&space);
 }
@@ -205,9 +209,9 @@ static void check_composition(tl_ctx *cx, tl_real *jet[NJET], rng *r) {
     tl_mul(cx, power, power, h);
   }
   tl_compose(cx, c, a, f);
-  assert_all_same(c, sum, n);
+  assert_jet_same(c, sum, n);
   tl_compose(cx, a, a, f);
-  assert_all_same(a, sum, n);
+  assert_jet_same(a, sum, n);
 }
 static void composition_with_a_polynomial_is_exact(void **state) {
   (void)state;
@@ -229,11 +233,11 @@ static void coefficients_and_derivatives_are_found_by_multi_index(void **state) 
   tl_mul(cx, c, c, y);
   tl_mul(cx, c, c, y);
   /* d^2/ds^2 d^2/dt1^2 d/dt2 = 24 * 2y = 144; its coefficient 144/(2! 2!) */
-  assert_same(tl_deriv(&space.shape, c, 2, (int[]){2, 1}), 144.0);
-  assert_same(tl_coef(&space.shape, c, 2, (int[]){2, 1}), 36.0);
-  assert_same(tl_deriv(&space.shape, c, 0, NULL), 144.0); /* the value */
-  assert_same(tl_coef(&space.shape, c, 3, (int[]){0, 0}), 0.0);
-  assert_same(tl_deriv(&space.shape, c, 0, (int[]){4, 0}), 0.0);
+  assert_real_same(tl_deriv(&space.shape, c, 2, (int[]){2, 1}), 144.0);
+  assert_real_same(tl_coef(&space.shape, c, 2, (int[]){2, 1}), 36.0);
+  assert_real_same(tl_deriv(&space.shape, c, 0, NULL), 144.0); /* the value */
+  assert_real_same(tl_coef(&space.shape, c, 3, (int[]){0, 0}), 0.0);
+  assert_real_same(tl_deriv(&space.shape, c, 0, (int[]){4, 0}), 0.0);
   jet_space_free(&space);
 }
 
@@ -245,40 +249,40 @@ static void assert_aliasing(tl_ctx *cx, binary *f, const tl_real *a, const tl_re
   f(cx, expected, a, b);
   tl_copy(cx, c, a);
   f(cx, c, c, b);
-  assert_all_same(c, expected, n);
+  assert_jet_same(c, expected, n);
   tl_copy(cx, c, b);
   f(cx, c, a, c);
-  assert_all_same(c, expected, n);
+  assert_jet_same(c, expected, n);
   tl_copy(cx, c, a);
   f(cx, expected, a, c);
   f(cx, c, c, c);
-  assert_all_same(c, expected, n);
+  assert_jet_same(c, expected, n);
   f(cx, c, a, a);
-  assert_all_same(c, expected, n);
+  assert_jet_same(c, expected, n);
 }
 
 static void fma_of_product(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) { tl_fma(cx, c, a, b, b); }
 static void fma_of_square(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) { tl_fma(cx, c, b, b, a); }
 static void quotient_of_value(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
   (void)b;
-  tl_rdiv(cx, c, 3.7, a);
+  tl_rdiv(cx, c, TL_C(3.7), a);
 }
 static void difference_from_value(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
   (void)b;
-  tl_rsub(cx, c, 3.7, a);
+  tl_rsub(cx, c, TL_C(3.7), a);
 }
 
 static void check_aliasing(tl_ctx *cx, tl_real *jet[NJET], rng *r) {
   binary *const functions[] = {tl_add, tl_sub, tl_mul, tl_div, fma_of_product, fma_of_square};
   for (int k = 0; k < 4; k++) /* fractions, so that rounding would show a change of order */
-    for (int i = 0; i < cx->shape->ncoef; i++) jet[k][i] = rng_uniform(r, 0.5, 1.5);
+    for (int i = 0; i < cx->shape->ncoef; i++) jet[k][i] = (tl_real)rng_uniform(r, 0.5, 1.5);
   for (size_t i = 0; i < sizeof functions / sizeof *functions; i++) assert_aliasing(cx, functions[i], jet[0], jet[1], jet[2], jet[3]);
   binary *const unary[] = {quotient_of_value, difference_from_value};
   for (size_t i = 0; i < 2; i++) {
     unary[i](cx, jet[2], jet[0], NULL);
     tl_copy(cx, jet[3], jet[0]);
     unary[i](cx, jet[3], jet[3], NULL);
-    assert_all_same(jet[3], jet[2], cx->shape->ncoef);
+    assert_jet_same(jet[3], jet[2], cx->shape->ncoef);
   }
 }
 static void aliased_operands_give_the_same_bits(void **state) {
@@ -291,11 +295,12 @@ static void check_fma(tl_ctx *cx, tl_real *jet[NJET], rng *r) {
   tl_mul(cx, jet[3], jet[0], jet[1]);
   tl_add(cx, jet[3], jet[3], jet[2]);
   tl_fma(cx, jet[4], jet[0], jet[1], jet[2]);
-  assert_all_same(jet[4], jet[3], cx->shape->ncoef);
-  jet[0][0] = 1.0 + 0x1p-30; /* the square's last bit is lost by a product, not by fma */
-  tl_const(cx, jet[2], -1.0 - 0x1p-29);
+  assert_jet_same(jet[4], jet[3], cx->shape->ncoef);
+  const tl_real small = real_power_of_two(-TL_MANT_DIG / 2 - 4);
+  jet[0][0] = TL_C(1.0) + small; /* the square's last bit is lost by a product, not by fma */
+  tl_const(cx, jet[2], -TL_C(1.0) - TL_C(2.0) * small);
   tl_fma(cx, jet[4], jet[0], jet[0], jet[2]);
-  assert_same(jet[4][0], 0x1p-60);
+  assert_real_same(jet[4][0], small * small);
 }
 static void fma_rounds_its_value_once(void **state) {
   (void)state;
@@ -308,7 +313,7 @@ static void failures_of_arithmetic_name_the_operation(void **state) {
   jet_space_init(&space, tl_jacobian(1), 3);
   tl_ctx *cx = &space.cx;
   tl_real *a = tl_push(cx, 1), *b = tl_push(cx, 1), *c = tl_push(cx, 1);
-  const double huge = 1.5e308, infinite = (double)INFINITY, undefined = (double)NAN;
+  const tl_real huge = TL_C(0.75) * TL_MAX, infinite = (tl_real)INFINITY, undefined = (tl_real)NAN;
 #define EXPECT(call, bit, fn)                                                                                                          \
   a[0] = huge, a[1] = 1.0, b[0] = 0.0, b[1] = huge;                                                                                    \
   tl_ctx_clear(cx);                                                                                                                    \
@@ -333,7 +338,7 @@ static void failures_of_arithmetic_name_the_operation(void **state) {
   EXPECT(tl_const(cx, c, infinite), TL_NONFINITE, TL_FN_seed);
   EXPECT(tl_seed(cx, c, undefined, 0), TL_NONFINITE, TL_FN_seed);
   EXPECT(a[1] = undefined; tl_copy(cx, c, a), TL_NONFINITE, TL_FN_copy);
-  EXPECT(tl_compose(cx, c, a, (double[]){1.0, infinite}), TL_NONFINITE, TL_FN_compose);
+  EXPECT(tl_compose(cx, c, a, (tl_real[]){1.0, infinite}), TL_NONFINITE, TL_FN_compose);
 #undef EXPECT
   jet_space_free(&space);
 }

@@ -32,14 +32,18 @@ void assert_all_close_at(const double *actual, const double *expected, int n, do
   for (int i = 0; i < n; i++) assert_close_at(actual[i], expected[i], rtol, atol, i, file, line);
 }
 
+void print_case(const char *format, va_list arguments) {
+  char text[256];
+  vsnprintf(text, sizeof text, format, arguments);
+  print_error("%s: ", text);
+}
+
 void assert_close_case(double actual, double expected, double atol, const char *file, int line, const char *format, ...) {
   if (is_close(actual, expected, 0.0, atol)) return;
-  char text[256];
   va_list arguments;
   va_start(arguments, format);
-  vsnprintf(text, sizeof text, format, arguments);
+  print_case(format, arguments);
   va_end(arguments);
-  print_error("%s: ", text);
   print_difference(actual, expected, atol);
   _fail(file, line);
 }

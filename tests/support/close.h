@@ -23,6 +23,9 @@
 /* As assert_close with absolute tolerance and a text that says which case it was (printf format). */
 void assert_close_case(double actual, double expected, double atol, const char *file, int line, const char *format, ...);
 
+/* Prints that text, for a comparison that fails. */
+void print_case(const char *format, va_list arguments);
+
 /* |actual - expected| in units of the last place of expected. */
 double ulp_difference(double actual, double expected);
 
