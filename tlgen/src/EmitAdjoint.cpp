@@ -39,7 +39,9 @@ public:
     for (auto &[function, need] : allFunctions()) {
       bool based = function == need || has(need); // jacobian beside linearise, linearise beside simulate
       if (need == "linearise" || need == "tangent" || need == "parameters") based = based && has("simulate");
-      if (needs.count(need) && based && !(isSolved(function) && constrained())) print(function);
+      if (!needs.count(need) || !based || (isSolved(function) && constrained())) continue;
+      print(function);
+      if (options_.lanes && isSolved(function)) printLanes(function + "_lanes");
     }
     MotionText text;
     if (printed_.empty()) return text;
@@ -98,6 +100,20 @@ private:
     else if (!made[rows].made)
       rows = !rows, why = "the only one";
     take(function, rows, why, made);
+  }
+
+  // The same for many states at once, in registers.
+  void printLanes(const std::string &function) {
+    const bool rows = false;
+    Candidate made[2];
+    if (coordinates() <= MOST_IN_LANES)
+      made[rows] = candidate(function, rows);
+    else
+      made[rows].why = Unsuitable{"straight-line code for more than " + std::to_string(MOST_IN_LANES) + " coordinates is too long", {}};
+    if (made[rows].made)
+      take(function, rows, "lanes", made);
+    else
+      diags_.add("lanes-unsuitable", program_, made[rows].why->loc, "'" + function + "': " + made[rows].why->why);
   }
 
   void take(const std::string &function, bool rows, const std::string &why, const Candidate (&made)[2]) {
@@ -188,6 +204,8 @@ private:
     if (has("simulate") && last_->constantMass()) members += number("constant_mass", 1);
     std::string s = list("eom_site ", "sites", sites, members, "sites", "nsite") +
                     list("char *const ", "parameter", parameters, members, "parameter", "np");
+    const bool lanes = std::any_of(printed_.begin(), printed_.end(), [&](const std::string &f) { return f.find("_lanes") != std::string::npos; });
+    if (lanes) members += "  .lanes = TL_LANES,\n";
     for (const std::string &function : printed_) members += "  ." + function + " = " + name_ + "_" + function + ",\n";
     return s + "const eom_motion " + name_ + "_motion = {\n" + members + "};\n\nstatic const eom_motion *const " + name_ +
            "_motions[] = {&" + name_ + "_motion};\n\n";

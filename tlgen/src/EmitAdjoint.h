@@ -22,6 +22,7 @@ struct MotionOptions {
   Form form = Form::Auto;
   Analyses analyses;
   FormCost cost;            // by which auto decides
+  bool lanes = false;       // the solved forms for many states at once too
   bool reportAsCsv = false; // not as a table
 };
 

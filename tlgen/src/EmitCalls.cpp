@@ -51,7 +51,9 @@ private:
     auto calls = [&](const char *name) { return motion_.source.find(name) != std::string::npos; };
     return std::string("\n#include \"eom/motion.h\"\n#include \"taylor/finite.h\"\n#include \"taylor/ldl.h\"\n") +
            (calls("tl_power") ? "#include \"taylor/power.h\"\n" : "") + (calls("tl_row") ? "#include \"taylor/row.h\"\n" : "") +
-           "#include \"taylor/sincos_array.h\"\n\n"
+           "#include \"taylor/sincos_array.h\"\n" +
+           (calls("tl_lanes") ? "#include \"taylor/ldl_lanes.h\"\n#include \"taylor/sincos_lanes.h\"\n" : "") +
+           "\n"
            "#ifdef __clang__\n#pragma clang diagnostic ignored \"-Wpass-failed\" /* a loop that is not worth a vector */\n#endif\n";
   }
 
@@ -126,7 +128,9 @@ private:
   std::string header() const {
     std::string guard = model_.name + "_TL_H";
     std::transform(guard.begin(), guard.end(), guard.begin(), [](unsigned char ch) { return static_cast<char>(toupper(ch)); });
-    return title(".") + "#ifndef " + guard + "\n#define " + guard + "\n\n#include \"eom/model.h\"\n\n" + headerRecords() +
+    const bool lanes = motion_.header.find("tl_lanes") != std::string::npos;
+    return title(".") + "#ifndef " + guard + "\n#define " + guard + "\n\n#include \"eom/model.h\"\n" +
+           (lanes ? "#include \"taylor/lanes.h\"\n\n" : "\n") + headerRecords() +
            "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\nextern const eom_model " + model_.name + "_model;\n" + motion_.header +
            "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
   }

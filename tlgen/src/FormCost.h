@@ -34,6 +34,9 @@ const std::vector<FormCostConstant> &formCostConstants();
 // Coordinates up to which registers can be faster at all; above, they are not even made in order to be counted.
 const long MOST_IN_REGISTERS = 8;
 
+// Coordinates up to which there are functions for many states at once, which are straight-line code.
+const long MOST_IN_LANES = 16;
+
 } // namespace tlgen
 
 #endif

@@ -34,10 +34,11 @@ std::string indented(const std::string &text) {
   return s;
 }
 
-std::string without(std::string text, const std::string &word) {
-  for (size_t at; (at = text.find(word)) != std::string::npos;) text.erase(at, word.size());
+std::string replaced(std::string text, const std::string &word, const std::string &by) {
+  for (size_t at = 0; (at = text.find(word, at)) != std::string::npos; at += by.size()) text.replace(at, word.size(), by);
   return text;
 }
+std::string without(const std::string &text, const std::string &word) { return replaced(text, word, ""); }
 
 // for (int i = 0; i < count; ++i) statement, and the same for two indices.
 std::string each(long count, const std::string &statement) {
@@ -47,10 +48,17 @@ std::string each(long rows, long columns, const std::string &statement) {
   return "  for (int i = 0; i < " + str(rows) + "; ++i)\n    for (int j = 0; j < " + str(columns) + "; ++j) " + statement + "\n";
 }
 
-std::string finite(const std::string &count, const std::string &array) {
-  return "  if (!tl_finite_array(" + count + ", " + array + ")) return EOM_MOTION_NOT_FINITE;\n";
+std::string finite(const std::string &count, const std::string &array, bool lanes = false) {
+  return std::string("  if (!") + (lanes ? "tl_lanes_finite(" : "tl_finite_array(") + count + ", " + array +
+         ")) return EOM_MOTION_NOT_FINITE;\n";
 }
-std::string finite(long count, const std::string &array) { return count ? finite(str(count), array) : ""; }
+std::string finite(long count, const std::string &array, bool lanes = false) { return count ? finite(str(count), array, lanes) : ""; }
+
+const std::string lanesSuffix = "_lanes";
+
+bool isOfLanes(const std::string &function) {
+  return function.size() > lanesSuffix.size() && function.substr(function.size() - lanesSuffix.size()) == lanesSuffix;
+}
 
 // Some results of a need, printed without a break.
 struct Part {
@@ -63,9 +71,9 @@ struct Part {
 // The statements of one function. Results are given their places first, then printed part by part.
 class MotionFunctions::Body {
 public:
-  Body(MotionFunctions &of, MotionValues &made, std::vector<Part> parts)
-      : values(made), parts_(std::move(parts)), arrays_(regrouped()), schedule_(made.graph, phases()),
-        printer(schedule_, of.program_, of.sites_, of.takenNames()) {}
+  Body(MotionFunctions &of, MotionValues &made, std::vector<Part> parts, bool ofLanes = false)
+      : values(made), lanes(ofLanes), parts_(std::move(parts)), arrays_(regrouped()), schedule_(made.graph, phases()),
+        printer(schedule_, of.program_, of.sites_, of.takenNames(), ofLanes) {}
 
   // The result, a row of numbers, is memory of that name.
   void vector(size_t part, const std::string &name, const std::string &lvalue) {
@@ -110,7 +118,7 @@ public:
 
   // The test that a matrix is finite, where unpack has none.
   std::string checkFinite(size_t part, const std::string &name, const std::string &to, long count) {
-    return paired(part, name) ? "" : finite(count, to);
+    return paired(part, name) ? "" : finite(count, to, lanes);
   }
 
   // Declares an array of so many numbers: on the stack in straight-line code, in the caller's memory otherwise.
@@ -149,7 +157,7 @@ public:
         own += "  tl_real *const restrict " + name + " = work + " + str(workspace_) + ";\n";
         workspace_ += count;
       } else {
-        own += "  tl_real " + name + "[" + str(count) + "];\n";
+        own += "  " + number() + " " + name + "[" + str(count) + "];\n";
       }
     }
     return own + s;
@@ -161,7 +169,12 @@ public:
     for (auto &[part, rows] : rows_) f.rows += rows->kept();
   }
 
+  // The type of what depends on the state, and the kernel of that name for it.
+  std::string number() const { return lanes ? "tl_lanes" : "tl_real"; }
+  std::string kernel(const std::string &name) const { return lanes ? name + lanesSuffix : name; }
+
   MotionValues &values;
+  const bool lanes;
 
 private:
   Results &results(size_t part) { return values.results(parts_[part].need); }
@@ -267,15 +280,17 @@ MotionFunction MotionFunctions::print(const std::string &name, MotionValues &val
     Body body(*this, values, {{"tangent", {"r_w", "g_w"}}});
     return define(name, fixed + directions + "tl_real *restrict r_w, tl_real *restrict g_w", body, tangent(body));
   }
-  if (name == "acceleration") {
-    Body body(*this, values, {{"simulate", {"M", "Q"}}});
+  const bool lanes = isOfLanes(name);
+  const std::string solved = lanes ? name.substr(0, name.size() - lanesSuffix.size()) : name;
+  if (solved == "acceleration") {
+    Body body(*this, values, {{"simulate", {"M", "Q"}}}, lanes);
     return define(name, "tl_real *restrict solved", body, acceleration(body));
   }
-  if (name == "jacobian") {
-    Body body(*this, values, {{"simulate", {"M", "Q"}}, {"linearise", {"r_y"}}});
+  if (solved == "jacobian") {
+    Body body(*this, values, {{"simulate", {"M", "Q"}}, {"linearise", {"r_y"}}}, lanes);
     return define(name, "tl_real *restrict solved, tl_real *restrict qdd_y", body, jacobian(body));
   }
-  Body body(*this, values, {{"simulate", {"M", "Q"}}, {"tangent", {"r_w"}}});
+  Body body(*this, values, {{"simulate", {"M", "Q"}}, {"tangent", {"r_w"}}}, lanes);
   return define(name, directions + "tl_real *restrict solved, tl_real *restrict dqdd", body, directional(body));
 }
 
@@ -289,9 +304,9 @@ MotionFunction MotionFunctions::define(const std::string &name, const std::strin
     start += "  const " + model_.params->spelling + " *const " + TRACE_PARAMS + " = params;\n";
   start += "  if (!" + model_.name + "_fits(params)) return EOM_MOTION_SIZE;\n";
   MotionFunction f;
-  std::string head = "int " + model_.name + "_" + name +
-                     "(const void *params, const tl_real *restrict q, const tl_real *restrict qd, tl_real t, " + args +
-                     ", tl_real *restrict work)";
+  std::string head = "int " + model_.name + "_" + name + "(const void *params, const tl_real *restrict q, const tl_real *restrict qd, " +
+                     (body.lanes ? "const tl_real *restrict t, " : "tl_real t, ") + args + ", tl_real *restrict work)";
+  if (body.lanes) head = replaced(head, "tl_real", "tl_lanes");
   f.definition = head + "\n{\n" + start + text + "  return 0;\n}\n\n";
   f.prototype = without(head, "restrict ") + ";\n";
   body.count(f);
@@ -365,20 +380,21 @@ std::string MotionFunctions::solve(Body &body) {
   body.matrix(0, "M", body.memory("M", n * ld), n, ld);
   body.vector(0, "Q", body.memory("Q", n) + "[%]");
   body.memory("qdd", n), body.memory("dinv", 2 * padded(n)); // TL_LDL_DIAGONAL(n)
-  return body.printChecked(0) + "  const tl_real pivot = tl_ldl_factor_solve(" + str(n) + ", qdd, M, " + str(ld) + ", dinv, Q);\n" +
-         each(n, "solved[i] = qdd[i];") + "  if (!(pivot * EOM_MOTION_LEAST_PIVOT(" + str(n) +
-         ") < TL_C(1.0))) return EOM_MOTION_PIVOT;\n";
+  const std::string pivot = "pivot * EOM_MOTION_LEAST_PIVOT(" + str(n) + ") < TL_C(1.0)";
+  return body.printChecked(0) + "  const " + body.number() + " pivot = " + body.kernel("tl_ldl_factor_solve") + "(" + str(n) +
+         ", qdd, M, " + str(ld) + ", dinv, Q);\n" + each(n, "solved[i] = qdd[i];") + "  if (!" +
+         (body.lanes ? "tl_lanes_all(" : "(") + pivot + ")) return EOM_MOTION_PIVOT;\n";
 }
 
-std::string MotionFunctions::acceleration(Body &body) { return solve(body) + finite(body.values.n, "qdd"); }
+std::string MotionFunctions::acceleration(Body &body) { return solve(body) + finite(body.values.n, "qdd", body.lanes); }
 
 std::string MotionFunctions::jacobian(Body &body) {
   long n = body.values.n, columns = 2 * n, ld = padded(columns);
   body.matrix(1, "r_y", body.memory("B", n * ld), columns, ld);
   std::string s = solve(body);
-  s += body.printChecked(1) + "  tl_ldl_solve_many(" + str(n) + ", " + str(columns) + ", B, " + str(ld) + ", M, " + str(padded(n)) +
+  s += body.printChecked(1) + "  " + body.kernel("tl_ldl_solve_many") + "(" + str(n) + ", " + str(columns) + ", B, " + str(ld) + ", M, " + str(padded(n)) +
        ", dinv);\n";
-  return s + body.unpack(1, "r_y", "qdd_y", "B", n, columns, ld, "-") + finite(n, "qdd") +
+  return s + body.unpack(1, "r_y", "qdd_y", "B", n, columns, ld, "-") + finite(n, "qdd", body.lanes) +
          body.checkFinite(1, "r_y", "qdd_y", n * columns);
 }
 
@@ -386,9 +402,9 @@ std::string MotionFunctions::directional(Body &body) {
   long n = body.values.n;
   body.vector(1, "r_w", body.memory("B", n) + "[%]");
   std::string s = solve(body);
-  s += "  for (int c = 0; c < k; ++c) {\n" + indented(body.print(1)) + "    tl_ldl_solve(" + str(n) + ", B, M, " + str(padded(n)) +
+  s += "  for (int c = 0; c < k; ++c) {\n" + indented(body.print(1)) + "    " + body.kernel("tl_ldl_solve") + "(" + str(n) + ", B, M, " + str(padded(n)) +
        ", dinv, B);\n  " + each(n, "dqdd[i*k + c] = -B[i];") + "  }\n";
-  return s + body.printer.returnSite() + finite(n, "qdd") + finite(str(n) + "*k", "dqdd");
+  return s + body.printer.returnSite() + finite(n, "qdd", body.lanes) + finite(str(n) + "*k", "dqdd", body.lanes);
 }
 
 } // namespace tlgen

@@ -19,7 +19,7 @@ class MotionFunctions {
 public:
   MotionFunctions(const Program &program, const Model &model, Sites &sites) : program_(program), model_(model), sites_(sites) {}
 
-  // name: of the members of eom_motion. Throws Unsuitable.
+  // name: of the members of eom_motion; of those for lanes only from values in registers. Throws Unsuitable.
   MotionFunction print(const std::string &name, MotionValues &values);
 
 private:

@@ -41,6 +41,7 @@ Motion functions (eom/motion.h): fast ones for the runtime, at sizes that are kn
                          functions that are always printed
   --parameter MEMBER,..  the members of the parameter struct that 'parameters' differentiates by
   --form FORM            registers: straight-line code; rows: loops as in the source; auto (default): what is estimated to be faster
+  --lanes                print acceleration, jacobian and directional for several states at once too, in vectors (taylor/lanes.h)
   --report, --report=csv print on stdout what each of these functions costs, why it has its form, and what was proved
   --cost NAME=NS,..      other constants of the estimate that --form auto decides by (bench/cost measures them):
 @costs@  --without ANALYSIS,..  switch off an analysis that leaves work out, to see what it is worth; the numbers stay the same
@@ -281,6 +282,7 @@ bool complete(Options &o) {
 bool setFlag(Options &o, Run *run, const std::string &arg) {
   if (arg == "-MD") return o.depfile = true;
   if (arg == "--selftest") return o.selftest = true;
+  if (arg == "--lanes") return o.motion.lanes = true;
   if (arg == "--report") return o.report = true;
   if (arg == "--werror") return run->werror = true;
   if (arg == "--cmake") return run->cmake = true;

@@ -1,5 +1,7 @@
 // C from a graph: expressions, statements, loops.
 #include "PrintGraph.h"
+#include "MathFunctions.h"
+#include "Trace.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -14,7 +16,7 @@ const long longestLocal = 64;         // numbers of an array on the stack
 std::string blanks(int n) { return std::string(size_t(n), ' '); }
 
 bool isTruth(const Node *n) {
-  return n->op == Node::Compare || n->op == Node::Not || n->op == Node::Conjunction || n->op == Node::Disjunction;
+  return n->op == Node::Compare || (n->op == Node::Math && n->text == "tl_power_exists") || n->op == Node::Not || n->op == Node::Conjunction || n->op == Node::Disjunction;
 }
 
 // Values whose text is as good as a name, wherever and however often it is used.
@@ -37,6 +39,14 @@ bool isPlain(const Node *n) {
 bool takesInt(const std::string &function, size_t argument) {
   if (function == "ldexp" || function == "scalbn" || function == "scalbln") return argument == 1;
   return argument == 2 && (function == "tl_power" || function == "tl_power_exists");
+}
+
+// Whether there is a tl_lanes_ function of that name.
+bool hasLanes(const std::string &function) {
+  static const std::set<std::string> toIntegers = {"lround", "lrint", "llround", "llrint"};
+  const MathFunction *f = findMath(function);
+  const bool real = f && (f->kind == MathFunction::Smooth || f->kind == MathFunction::Step) && !toIntegers.count(f->name);
+  return real || function.rfind("tl_power", 0) == 0;
 }
 
 bool isNegative(const Node *n) {
@@ -64,8 +74,46 @@ size_t Sites::number(const Node *node) {
   return sites_.size();
 }
 
-GraphPrinter::GraphPrinter(Schedule &schedule, const Program &program, Sites &sites, std::set<std::string> taken)
-    : schedule_(schedule), program_(program), sites_(sites), taken_(std::move(taken)) {}
+GraphPrinter::GraphPrinter(Schedule &schedule, const Program &program, Sites &sites, std::set<std::string> taken, bool lanes)
+    : schedule_(schedule), program_(program), sites_(sites), taken_(std::move(taken)), lanes_(lanes) {}
+
+// Whether the value may be another in each lane. What is in memory, or goes from one iteration to the next, always may.
+bool GraphPrinter::inLanes(const Node *n) {
+  if (!lanes_) return false;
+  auto known = inLanes_.find(n);
+  if (known != inLanes_.end()) return known->second;
+  bool is = n->op == Node::Read || schedule_.place(n) != nullptr || (n->op == Node::Leaf && n->slot->kind != Slot::Member);
+  if (n->op == Node::Carried || n->op == Node::Final) is = !isInteger(n->of->carried[size_t(n->which)].init);
+  for (const Node *arg : n->args) is |= inLanes(arg);
+  if (is) requireLanes(n);
+  return inLanes_[n] = is;
+}
+
+// Lanes go through the same statements with other numbers: what decides on statements or places, and what is no arithmetic, may not
+// depend on them.
+void GraphPrinter::requireLanes(const Node *n) {
+  auto refuse = [&](const std::string &why) { throw Unsuitable{why, n->loc}; };
+  const std::string lanes = " depends on the state, which is another in each lane";
+  for (size_t k = 0; k < n->args.size(); ++k) {
+    if (!inLanes(n->args[k])) continue;
+    const bool ofTruths = n->op == Node::Not || n->op == Node::Conjunction || n->op == Node::Disjunction || (n->op == Node::Select && k == 0);
+    if (n->op == Node::Leaf || n->op == Node::Read) refuse("the place in an array" + lanes);
+    if (n->op == Node::Convert || n->op == Node::Integer || (isInteger(n) && n->op == Node::Select)) refuse("an integer" + lanes);
+    if (isTruth(n->args[k]) != ofTruths) refuse("a number that stands for a truth value" + lanes);
+    if (n->op == Node::Taylor) refuse("an argument of a function with a rule" + lanes);
+    if (n->op == Node::Math && (takesInt(n->text, k) || !hasLanes(n->text))) refuse("an argument of '" + n->text + "'" + lanes);
+  }
+}
+
+// As an operand that must be lanes.
+Text GraphPrinter::filled(const Node *n) {
+  return lanes_ && !inLanes(n) ? Text{"tl_lanes_of(" + real(n).s + ")", Postfix} : real(n);
+}
+
+std::string GraphPrinter::type(const Node *n) {
+  if (isTruth(n)) return inLanes(n) ? "tl_mask" : "int";
+  return isInteger(n) ? "long" : inLanes(n) ? "tl_lanes" : "tl_real";
+}
 
 std::string GraphPrinter::fresh(const std::string &wish) {
   std::string name = wish;
@@ -95,10 +143,10 @@ std::string GraphPrinter::declarations() const {
   for (const Array *a : declared_) {
     const std::string &name = arrayNames_.at(a);
     if (a->length <= longestLocal) {
-      s += "  tl_real " + name + "[" + std::to_string(a->length) + "];\n";
+      s += "  " + number() + " " + name + "[" + std::to_string(a->length) + "];\n";
       continue;
     }
-    s += "  tl_real *const restrict " + name + " = work + " + std::to_string(offset) + ";\n";
+    s += "  " + number() + " *const restrict " + name + " = work + " + std::to_string(offset) + ";\n";
     offset += padded(a->length);
   }
   std::string outside;
@@ -139,7 +187,7 @@ std::string GraphPrinter::item(const Item &i, int indent) {
   case Item::Repeat:
     return loopText(i.loop, indent);
   case Item::Leave:
-    return blanks(indent) + element(i.array, i.write->index) + (i.array->summed ? " += " : " = ") + real(i.write->value).s + ";\n";
+    return blanks(indent) + element(i.array, i.write->index) + (i.array->summed ? " += " : " = ") + filled(i.write->value).s + ";\n";
   case Item::Start:
   case Item::Rows:
     return rows_ ? rows_(i.loop, i.kind == Item::Start, indent) : "";
@@ -172,8 +220,7 @@ std::string GraphPrinter::value(const Node *n, int indent) {
   }
   std::string name = n->name.empty() ? fresh("t" + std::to_string(++temporaries_)) : fresh(n->name);
   shown_[n] = {{name, Primary}, {}};
-  std::string type = isTruth(n) ? "int" : isInteger(n) ? "long" : "tl_real";
-  return before + quote(n->loc, indent) + blanks(indent) + "const " + type + " " + name + " = " + shown.text.s + ";\n";
+  return before + quote(n->loc, indent) + blanks(indent) + "const " + type(n) + " " + name + " = " + shown.text.s + ";\n";
 }
 
 std::string GraphPrinter::quote(const Loc &loc, int indent) {
@@ -232,6 +279,7 @@ std::string GraphPrinter::leaf(const Node *n) {
       {Slot::Q, "q[%]"},     {Slot::Qd, "qd[%]"},         {Slot::T, "t"},
       {Slot::Qdd, "qdd[%]"}, {Slot::Lambda, "lambda[%]"}, {Slot::Direction, "w[%*k + c]"}};
   auto known = texts.find(n->slot->kind);
+  if (lanes_ && n->slot->kind == Slot::T) return "t[0]";
   const Variable *table = n->slot->variable;
   if (table && table->scope == Variable::Local) tables_[table->name] = table;
   std::vector<Text> indices;
@@ -310,19 +358,53 @@ GraphPrinter::Shown GraphPrinter::product(const Node *n) {
   return x;
 }
 
-GraphPrinter::Shown GraphPrinter::compute(const Node *n) {
-  auto call = [&](const std::string &function) {
-    Shown s;
-    for (size_t i = 0; i < n->args.size(); ++i) {
-      const Node *arg = n->args[i];
-      Shown x = show(arg);
-      bool whole = takesInt(function, i);
-      s.text.s += (s.text.s.empty() ? "" : ", ") + (whole ? (arg->isConstant() ? "" : "(int)") + operand(x.text, Prefix) : real(arg).s);
-      s.carried.insert(x.carried.begin(), x.carried.end());
-    }
-    s.text = {function + "(" + s.text.s + ")", Postfix};
-    return s;
+// A function of math.h, of taylor/power.h or of the user.
+GraphPrinter::Shown GraphPrinter::call(const Node *n) {
+  const bool lanes = inLanes(n);
+  Shown s;
+  for (size_t i = 0; i < n->args.size(); ++i) {
+    const Node *arg = n->args[i];
+    Shown x = show(arg);
+    std::string text = lanes ? filled(arg).s : real(arg).s;
+    if (takesInt(n->text, i)) text = (arg->isConstant() ? "" : "(int)") + operand(x.text, Prefix);
+    s.text.s += (s.text.s.empty() ? "" : ", ") + text;
+    s.carried.insert(x.carried.begin(), x.carried.end());
+  }
+  std::string name = n->text;
+  if (lanes) name = "tl_lanes_" + (name == "ldexp" ? "scalbn" : name.rfind("tl_", 0) == 0 ? name.substr(3) : name);
+  s.text = {name + "(" + s.text.s + ")", Postfix};
+  return s;
+}
+
+// && and || of C, & and | of lanes.
+GraphPrinter::Shown GraphPrinter::logical(const Node *n) {
+  const bool both = n->op == Node::Conjunction;
+  if (!inLanes(n)) return combine(both ? "&&" : "||", n->args[0], n->args[1], true);
+  Shown x = show(n->args[0]), y = show(n->args[1]);
+  auto mask = [&](const Node *arg, const Text &text) {
+    return inLanes(arg) ? text : Text{"tl_lanes_truth(" + text.s + ")", Postfix};
   };
+  x.text = binaryText(both ? "&" : "|", mask(n->args[0], x.text), mask(n->args[1], y.text));
+  x.carried.insert(y.carried.begin(), y.carried.end());
+  return x;
+}
+
+GraphPrinter::Shown GraphPrinter::choice(const Node *n) {
+  Shown c = show(n->args[0]), a = show(n->args[1]), b = show(n->args[2]);
+  const bool whole = isInteger(n->args[1]) && isInteger(n->args[2]), lanes = inLanes(n);
+  auto operandOf = [&](size_t k, const Shown &x) { return whole ? x.text : lanes ? filled(n->args[k]) : real(n->args[k]); };
+  const Text x = operandOf(1, a), y = operandOf(2, b);
+  if (inLanes(n->args[0]))
+    c.text = {"tl_lanes_select(" + c.text.s + ", " + x.s + ", " + y.s + ")", Postfix};
+  else
+    c.text = {operand(c.text, Or) + " ? " + operand(x, Or) + " : " + operand(y, Choice), Choice};
+  c.carried.insert(a.carried.begin(), a.carried.end());
+  c.carried.insert(b.carried.begin(), b.carried.end());
+  return c;
+}
+
+GraphPrinter::Shown GraphPrinter::compute(const Node *n) {
+  inLanes(n);
   switch (n->op) {
   case Node::Number:
     return {{numberText(n->value), n->value < 0 ? Prefix : Primary}, {}};
@@ -347,9 +429,9 @@ GraphPrinter::Shown GraphPrinter::compute(const Node *n) {
     return x;
   }
   case Node::Math:
-    return schedule_.place(n) ? Shown{{result(n), Postfix}, {}} : call(n->text);
+    return schedule_.place(n) ? Shown{{result(n), Postfix}, {}} : call(n);
   case Node::Taylor:
-    return n->args.size() > 1 ? call(n->text) : Shown{derivativeOf(n), {}};
+    return n->args.size() > 1 ? call(n) : Shown{derivativeOf(n), {}};
   case Node::Convert: {
     Shown x = show(n->args[0]);
     x.text = {"(" + n->text + ")" + operand(x.text, Prefix), Prefix};
@@ -365,22 +447,14 @@ GraphPrinter::Shown GraphPrinter::compute(const Node *n) {
   }
   case Node::Not: {
     Shown x = show(n->args[0]);
-    x.text = unaryText("!", x.text);
+    x.text = inLanes(n) ? Text{"tl_lanes_not(" + x.text.s + ")", Postfix} : unaryText("!", x.text);
     return x;
   }
   case Node::Conjunction:
-    return combine("&&", n->args[0], n->args[1], true);
   case Node::Disjunction:
-    return combine("||", n->args[0], n->args[1], true);
-  case Node::Select: {
-    Shown c = show(n->args[0]), a = show(n->args[1]), b = show(n->args[2]);
-    bool whole = isInteger(n->args[1]) && isInteger(n->args[2]);
-    Text x = whole ? a.text : real(n->args[1]), y = whole ? b.text : real(n->args[2]);
-    c.text = {operand(c.text, Or) + " ? " + operand(x, Or) + " : " + operand(y, Choice), Choice};
-    c.carried.insert(a.carried.begin(), a.carried.end());
-    c.carried.insert(b.carried.begin(), b.carried.end());
-    return c;
-  }
+    return logical(n);
+  case Node::Select:
+    return choice(n);
   }
   std::abort();
 }
@@ -391,11 +465,13 @@ std::string GraphPrinter::loopText(Loop *loop, int indent) {
     if (!schedule_.carries(loop, k)) continue;
     const Carry &c = loop->carried[k];
     std::string name = carriedNames_[{loop, k}] = c.in->name.empty() ? fresh("c" + std::to_string(++carried_)) : fresh(c.in->name);
-    std::string init = isInteger(c.init) ? show(c.init).text.s : real(c.init).s;
-    s += blanks(indent) + (isInteger(c.init) ? "long " : "tl_real ") + name + " = " + init + ";\n";
+    std::string init = isInteger(c.init) ? show(c.init).text.s : filled(c.init).s;
+    s += blanks(indent) + (isInteger(c.init) ? "long" : number()) + " " + name + " = " + init + ";\n";
     shown_.erase(c.in);
   }
   static const char *const names[] = {"i", "j", "l"};
+  if ((loop->trips && inLanes(loop->trips)) || (loop->condition && inLanes(loop->condition)))
+    throw Unsuitable{"the number of a loop's iterations depends on the state, which is another in each lane", loop->index->loc};
   int depth = 0;
   for (const Loop *l = loop->outer; l; l = l->outer) ++depth;
   std::string wish = depth < 3 ? names[depth] : "i", name = wish;
@@ -428,9 +504,12 @@ std::string GraphPrinter::loopText(Loop *loop, int indent) {
 // x += y for x = x + y; x -= y for a product -y, not for a sum that begins like one.
 std::string GraphPrinter::update(const Carry &carry, const std::string &name, const Shown &to) {
   const Node *out = carry.out, *in = carry.in;
-  if (isInteger(carry.init)) return name + " = " + to.text.s;
+  if (isInteger(carry.init)) {
+    if (inLanes(out)) throw Unsuitable{"an integer depends on the state, which is another in each lane", out->loc};
+    return name + " = " + to.text.s;
+  }
   bool grows = out->op == Node::Add && to.text.precedence != Primary && (out->args[0] == in || out->args[1] == in);
-  if (!grows) return name + " = " + (to.text.precedence == Primary ? to.text : real(out)).s;
+  if (!grows) return name + " = " + (to.text.precedence == Primary && !lanes_ ? to.text : filled(out)).s;
   const Node *other = out->args[out->args[0] == in ? 1 : 0];
   Text more = real(other);
   bool negative = more.s[0] == '-' && more.precedence >= Product;
@@ -458,7 +537,7 @@ std::string GraphPrinter::updates(const Loop *loop, int indent) {
     if (free == open.end()) { // a circle
       Update &u = open.front();
       std::string name = fresh("next");
-      s += blanks(indent) + (isInteger(u.carry->init) ? "const long " : "const tl_real ") + name + " = " + u.to.text.s + ";\n";
+      s += blanks(indent) + "const " + (isInteger(u.carry->init) ? "long" : number()) + " " + name + " = " + u.to.text.s + ";\n";
       u.to = {{name, Primary}, {}};
       continue;
     }
@@ -469,12 +548,13 @@ std::string GraphPrinter::updates(const Loop *loop, int indent) {
 }
 
 std::string GraphPrinter::batch(const Batch &b, int indent) {
-  std::string start = blanks(indent), s;
+  const std::string start = blanks(indent), sincos = lanes_ ? "tl_sincos_lanes" : "tl_sincos_array";
+  std::string s;
   if (!b.loop && b.args.size() == 1) {
     std::string sine = fresh("sine"), cosine = fresh("cosine"), angle = fresh("angle");
     results_[&b] = {sine, cosine};
-    s = start + "const tl_real " + angle + " = " + real(b.args[0]).s + ";\n";
-    return s + start + "tl_real " + sine + ", " + cosine + ";\n" + start + "tl_sincos_array(1, &" + angle + ", &" + sine + ", &" +
+    s = start + "const " + number() + " " + angle + " = " + filled(b.args[0]).s + ";\n";
+    return s + start + number() + " " + sine + ", " + cosine + ";\n" + start + sincos + "(1, &" + angle + ", &" + sine + ", &" +
            cosine + ");\n";
   }
   long count = b.loop ? b.loop->trips->offset : long(b.args.size());
@@ -487,26 +567,35 @@ std::string GraphPrinter::batch(const Batch &b, int indent) {
   } else {
     from = fresh(b.function == "sincos" ? "angles" : "arguments");
     std::string list;
-    for (const Node *arg : b.args) list += (list.empty() ? "" : ", ") + real(arg).s;
-    s += start + "const tl_real " + from + size + " = {" + list + "};\n";
+    for (const Node *arg : b.args) list += (list.empty() ? "" : ", ") + filled(arg).s;
+    s += start + "const " + number() + " " + from + size + " = {" + list + "};\n";
   }
   if (b.function == "sincos") {
     std::string sines = fresh("sines"), cosines = fresh("cosines");
     results_[&b] = {sines, cosines};
-    return s + start + "tl_real " + sines + size + ", " + cosines + size + ";\n" + start + "tl_sincos_array(" + std::to_string(count) +
+    return s + start + number() + " " + sines + size + ", " + cosines + size + ";\n" + start + sincos + "(" + std::to_string(count) +
            ", " + from + ", " + sines + ", " + cosines + ");\n";
   }
   std::string values = fresh(b.function + "s");
   results_[&b] = {values, ""};
-  return s + start + "tl_real " + values + size + ";\n" + start + "for (int i = 0; i < " + std::to_string(count) + "; ++i) " + values +
-         "[i] = " + b.function + "(" + (from[0] == '&' ? "(" + from + ")" : from) + "[i]);\n";
+  return s + start + number() + " " + values + size + ";\n" + start + "for (int i = 0; i < " + std::to_string(count) + "; ++i) " + values +
+         "[i] = " + (lanes_ ? "tl_lanes_" : "") + b.function + "(" + (from[0] == '&' ? "(" + from + ")" : from) + "[i]);\n";
 }
 
 std::string GraphPrinter::check(const Check &c, int indent) {
   size_t site = sites_.number(c.node);
   failing_.insert(site);
   Text fails = show(c.outside).text;
-  if (c.guard) fails = binaryText("&&", show(c.guard->holds).text, fails);
+  const bool lanes = inLanes(c.outside);
+  if (lanes && c.guard && inLanes(c.guard->holds))
+    fails = {"tl_lanes_any(" + binaryText("&", show(c.guard->holds).text, fails).s + ")", Postfix};
+  else if (lanes)
+    fails = {"tl_lanes_any(" + fails.s + ")", Postfix};
+  if (c.guard && !(lanes && inLanes(c.guard->holds))) {
+    Text holds = show(c.guard->holds).text;
+    if (inLanes(c.guard->holds)) holds = {"tl_lanes_any(" + holds.s + ")", Postfix};
+    fails = binaryText("&&", holds, fails);
+  }
   return blanks(indent) + "outside" + std::to_string(site) + " |= " + fails.s + ";\n";
 }
 
@@ -519,7 +608,7 @@ std::string GraphPrinter::clear(const Array *a, int indent) {
   };
   long columns = matrix ? known->second.columns : 1;
   return blanks(indent) + loop("i", a->length / columns) + (matrix ? loop("j", columns) : "") +
-         fill(lvalue, {{"i", Primary}, {"j", Primary}}) + " = 0.0;\n";
+         fill(lvalue, {{"i", Primary}, {"j", Primary}}) + (lanes_ ? " = tl_lanes_of(0.0);\n" : " = 0.0;\n");
 }
 
 // Taylor coefficients of an external function of one argument, by the user's rule, as far as any of its derivatives is needed.

@@ -24,8 +24,9 @@ private:
 // Prints the body of one function.
 class GraphPrinter {
 public:
-  // taken: names that the body may not give to its own variables.
-  GraphPrinter(Schedule &schedule, const Program &program, Sites &sites, std::set<std::string> taken);
+  // taken: names that the body may not give to its own variables. lanes: what depends on the state is tl_lanes, parameters are numbers;
+  // then printing throws Unsuitable where that cannot be.
+  GraphPrinter(Schedule &schedule, const Program &program, Sites &sites, std::set<std::string> taken, bool lanes = false);
 
   // Where the array is: an lvalue with one % for the index, or, for a matrix of so many columns, two for row and column.
   void bind(const Array *a, const std::string &lvalue, long columns = 0);
@@ -70,8 +71,16 @@ private:
   Shown compute(const Node *n);
   Shown sum(const Node *n);
   Shown product(const Node *n);
+  Shown call(const Node *n);
+  Shown logical(const Node *n);
+  Shown choice(const Node *n);
   Shown combine(const std::string &op, const Node *a, const Node *b, bool integers = false);
   Text real(const Node *n);
+  bool inLanes(const Node *n);
+  void requireLanes(const Node *n);
+  Text filled(const Node *n);
+  std::string type(const Node *n);
+  std::string number() const { return lanes_ ? "tl_lanes" : "tl_real"; }
   Text affine(const Node *n);
   std::string leaf(const Node *n);
   std::string element(const Array *a, const Node *index);
@@ -91,6 +100,8 @@ private:
   const Program &program_;
   Sites &sites_;
   std::set<std::string> taken_;
+  const bool lanes_;
+  std::unordered_map<const Node *, bool> inLanes_;
   Blocks blocks_;
   std::unordered_map<const Node *, Shown> shown_;
   std::unordered_map<const Loop *, std::string> indexNames_;

@@ -36,69 +36,12 @@
 #define TL_LDL_UNROLLED 16
 #endif
 
-/* The extreme values of M_ii/d_i and 1/d_i so far. */
-typedef struct tl_ldl_range {
-  tl_real largest, least;
-} tl_ldl_range;
-
-/* A pivot's inverse and its entry of M. Where a pivot is no number, all that follow are none, and so is least at the end. */
-TL_INLINE void tl_ldl_extend(tl_ldl_range *range, tl_real inverse, tl_real entry) {
-  const tl_real quotient = entry * inverse;
-  range->largest = range->largest > quotient ? range->largest : quotient;
-  range->least = range->least < inverse ? range->least : inverse;
-}
-
-TL_INLINE tl_real tl_ldl_ratio(const tl_ldl_range *range) { return range->least > TL_C(0.0) ? range->largest : (tl_real)HUGE_VAL; }
-
 /* ---- straight-line code ---- */
-
-/* M_ij - sum_k<count L_ik u_kj. Where it decides on a pivot the last product is (u_ki u_kj)/d_k, which waits less for 1/d_k. */
-TL_INLINE tl_real tl_ldl_left(const tl_real *w, int ld, const tl_real *d, int i, int j, int count, int pivotal) {
-  const int last = count - 1, plain = pivotal ? last : count;
-  tl_real sum = w[i * ld + j];
-  TL_UNROLL for (int k = 0; k < plain; k++) sum -= w[i * ld + k] * w[k * ld + j];
-  if (pivotal && count > 0) sum -= w[last * ld + i] * w[last * ld + j] * d[last];
-  return sum;
-}
-
-/* Rows i and i+1: u to the right of the diagonal, L below it. */
-TL_INLINE void tl_ldl_pair(int n, tl_real *w, int ld, tl_real *d, int i, tl_ldl_range *range) {
-  tl_real *upper = w + i * ld, *lower = upper + ld;
-  const tl_real first = upper[i], second = lower[i + 1];
-  const tl_real a = tl_ldl_left(w, ld, d, i, i, i, 1), b = tl_ldl_left(w, ld, d, i, i + 1, i, 1);
-  const tl_real c = tl_ldl_left(w, ld, d, i + 1, i + 1, i, 1);
-  d[i] = TL_C(1.0) / a;
-  d[i + 1] = a * (TL_C(1.0) / (a * c - b * b));
-  tl_ldl_extend(range, d[i], first);
-  tl_ldl_extend(range, d[i + 1], second);
-  const tl_real l = b * d[i];
-  lower[i] = l;
-  TL_UNROLL for (int j = i + 2; j < n; j++) {
-    upper[j] = tl_ldl_left(w, ld, d, i, j, i, 0);
-    lower[j] = tl_ldl_left(w, ld, d, i + 1, j, i, 0) - l * upper[j];
-    w[j * ld + i] = upper[j] * d[i];
-    w[j * ld + i + 1] = lower[j] * d[i + 1];
-  }
-}
-
-TL_INLINE tl_real tl_ldl_factor_scalar(int n, tl_real *w, int ld, tl_real *d) {
-  tl_ldl_range range = {TL_C(0.0), TL_MAX};
-  TL_UNROLL for (int i = 0; i + 1 < n; i += 2) tl_ldl_pair(n, w, ld, d, i, &range);
-  if (n % 2 == 1) {
-    const int i = n - 1;
-    const tl_real entry = w[i * ld + i];
-    d[i] = TL_C(1.0) / tl_ldl_left(w, ld, d, i, i, i, 1);
-    tl_ldl_extend(&range, d[i], entry);
-  }
-  return tl_ldl_ratio(&range);
-}
-
-/* x = M^-1 x. */
-TL_INLINE void tl_ldl_solve_scalar(int n, tl_real *x, const tl_real *w, int ld, const tl_real *d) {
-  TL_UNROLL for (int k = 0; k < n; k++) TL_UNROLL for (int i = k + 1; i < n; i++) x[i] -= w[i * ld + k] * x[k];
-  TL_UNROLL for (int i = 0; i < n; i++) x[i] *= d[i];
-  TL_UNROLL for (int k = n - 1; k > 0; k--) TL_UNROLL for (int i = 0; i < k; i++) x[i] -= w[k * ld + i] * x[k];
-}
+#define TL_T tl_real
+#define TL_T_NAME(name) name
+#define TL_T_OF(x) (x)
+#define TL_T_WHERE(condition, a, b) ((condition) ? (a) : (b))
+#include "taylor/ldl_straight.h"
 
 /* ---- blocks ---- */
 #if TL_VECTORS
@@ -293,10 +236,10 @@ TL_INLINE void tl_ldl_rows(int n, int rows, tl_real *w, int ld, tl_real *d, int 
     tl_ldl_less_rows(n <= TL_LDL_UNROLLED, rows, &t, NULL, wi, ld, 1, w + i, ld, i);
   const tl_ldl_block f = tl_ldl_pivots(rows, &t);
   tl_ldl_keep(rows, &f, wi + i, ld, d + i);
-  tl_ldl_extend(range, f.d0, entry0);
-  if (rows > 1) tl_ldl_extend(range, f.d1, entry1);
-  if (rows > 2) tl_ldl_extend(range, f.d2, entry2);
-  if (rows > 3) tl_ldl_extend(range, f.d3, entry3);
+  tl_ldl_extend(range, &f.d0, &entry0);
+  if (rows > 1) tl_ldl_extend(range, &f.d1, &entry1);
+  if (rows > 2) tl_ldl_extend(range, &f.d2, &entry2);
+  if (rows > 3) tl_ldl_extend(range, &f.d3, &entry3);
   tl_ldl_quad z = {0, 0, 0, 0};
   if (y) {
     z = tl_ldl_forward(rows, &f, y + i);

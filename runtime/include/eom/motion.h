@@ -20,6 +20,7 @@
 #define EOM_MOTION_H
 
 #include "eom/model.h"
+#include "taylor/lanes.h"
 
 #ifdef __cplusplus
 extern "C" {
@@ -95,11 +96,21 @@ typedef int eom_jacobian_fn(const void *params, const tl_real *q, const tl_real 
 typedef int eom_directional_fn(const void *params, const tl_real *q, const tl_real *qd, tl_real t, int k, const tl_real *w,
                                tl_real *qdd, tl_real *dqdd, tl_real *work);
 
+/* The solved forms of TL_LANES states at once: element [i] of an array holds the i-th numbers of all states, *t their times. Arrays are
+ * aligned to EOM_MOTION_ALIGNMENT bytes. Parameters are the same for all. What is returned is not 0 where it would not be for one of
+ * the states: then no output is usable, and the function for one state says which state it is and gives the results of the others. */
+typedef int eom_acceleration_lanes_fn(const void *params, const tl_lanes *q, const tl_lanes *qd, const tl_lanes *t, tl_lanes *qdd,
+                                      tl_lanes *work);
+typedef int eom_jacobian_lanes_fn(const void *params, const tl_lanes *q, const tl_lanes *qd, const tl_lanes *t, tl_lanes *qdd,
+                                  tl_lanes *qdd_y, tl_lanes *work);
+typedef int eom_directional_lanes_fn(const void *params, const tl_lanes *q, const tl_lanes *qd, const tl_lanes *t, int k,
+                                     const tl_lanes *w, tl_lanes *qdd, tl_lanes *dqdd, tl_lanes *work);
+
 /* A model's motion at one size. Functions that the model was not asked for are null; so are the solved forms where m > 0. */
 struct eom_motion {
   int n, m1, m2;
   int (*fits)(const void *params); /* 1 where the parameters have these sizes, 0 elsewhere */
-  size_t work;                     /* numbers (tl_real) of workspace, enough for each function */
+  size_t work;                     /* numbers (tl_real; tl_lanes where those are asked for) of workspace, enough for each function */
   int autonomous;                  /* 1: proved that t occurs nowhere, in L, forces and constraints */
   int constant_mass;               /* 1: proved that M depends on params alone */
   const eom_site *sites;
@@ -115,6 +126,10 @@ struct eom_motion {
   eom_acceleration_fn *acceleration;
   eom_jacobian_fn *jacobian;
   eom_directional_fn *directional;
+  int lanes; /* TL_LANES of the three that follow; 0 where tlgen was not asked for them (--lanes) */
+  eom_acceleration_lanes_fn *acceleration_lanes;
+  eom_jacobian_lanes_fn *jacobian_lanes;
+  eom_directional_lanes_fn *directional_lanes;
 };
 
 #ifdef __cplusplus
