@@ -7,6 +7,7 @@ COLUMNS = ["contender", "model", "need", "N", "way", "compiler", "flags", "min_n
 Row = namedtuple("Row", COLUMNS)
 
 OURS = "adjoint"  # the contender that all ratios refer to
+OURS_OF_MANY = "adjoint-lanes"  # ours as well where states are independent
 NEEDS = {"F": "accelerations", "J": "accelerations and their Jacobian", "V": "accelerations and one direction"}
 WAYS = {"throughput": "independent states", "latency": "each state waits for the last result"}
 EXPONENT_RANGE = (16, 64)

@@ -1,14 +1,14 @@
 # taylor_add_model(TARGET SOURCES file.. DOF n|member [LAGRANGIAN f] [MODEL name] [FORCE f] [HOLONOMIC f[:rows]..]
 #                  [NONHOLONOMIC f[:rows]..] [ARGS role=name..] [RECURSION f:depth..] [RULES f:rule..]
-#                  [NEEDS need..] [SIZES member=n..] [PARAMETERS member..] [FORM registers|rows|auto]
+#                  [NEEDS need..] [SIZES member=n..] [PARAMETERS member..] [FORM registers|rows|auto] [LANES]
 #                  [INCLUDE_DIRECTORIES dir..] [COMPILE_DEFINITIONS def..] [SELFTEST])
 #
 # Runs tlgen over plain C sources and makes a static library TARGET of the result. Programs that link it include <MODEL>_tl.h, which
 # declares <MODEL>_model; MODEL is TARGET's name where it is not given. NEEDS says which motion functions are printed
 # (energy simulate residual linearise tangent parameters; all, or none), SIZES for which sizes, PARAMETERS which members of the parameter
-# struct are differentiated by: tlgen --help has the defaults. LAGRANGIAN is not needed where the source marks the function with
-# TLGEN(lagrangian). A change in a source or a header that it includes runs tlgen again. SELFTEST also makes a program TARGET_selftest,
-# which checks every derivative of the model at points that you name; `TARGET_selftest --help` says how.
+# struct are differentiated by: tlgen --help has the defaults. LANES adds functions of several states at once. LAGRANGIAN is not needed
+# where the source marks the function with TLGEN(lagrangian). A change in a source or a header that it includes runs tlgen again. SELFTEST
+# also makes a program TARGET_selftest, which checks every derivative of the model at points that you name; `TARGET_selftest --help` says how.
 
 function(taylor_model_error target what)
   message(FATAL_ERROR "taylor_add_model(${target}): ${what}\nFor example:\n"
@@ -56,7 +56,7 @@ function(taylor_check_model target model)
 endfunction()
 
 function(taylor_add_model target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SELFTEST" "MODEL;DOF;LAGRANGIAN;FORCE;FORM"
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SELFTEST;LANES" "MODEL;DOF;LAGRANGIAN;FORCE;FORM"
     "NEEDS;SIZES;PARAMETERS;SOURCES;HOLONOMIC;NONHOLONOMIC;ARGS;RECURSION;RULES;INCLUDE_DIRECTORIES;COMPILE_DEFINITIONS")
   if(arg_UNPARSED_ARGUMENTS)
     list(JOIN arg_UNPARSED_ARGUMENTS " " unknown)
@@ -84,6 +84,9 @@ function(taylor_add_model target)
   endforeach()
   if(arg_FORM)
     list(APPEND options --form ${arg_FORM})
+  endif()
+  if(arg_LANES)
+    list(APPEND options --lanes)
   endif()
   foreach(value IN LISTS arg_NEEDS)
     list(APPEND options --need ${value})

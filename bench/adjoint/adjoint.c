@@ -1,5 +1,5 @@
-/* tlgen's motion functions as a contender. Built with -DMODEL=name, and with the generated source as GENERATED; with -DBENCH_LANES for those of
- * several states at once. */
+/* tlgen's motion functions as a contender. Built with -DMODEL=name, and with the generated source as GENERATED; with -DBENCH_LANES for
+ * those of several states at once. */
 #include GENERATED
 
 #include "contender.h"
@@ -34,8 +34,8 @@ static int jacobian(void *self, const double *q, const double *qd, double *qdd, 
 }
 
 static int directional(void *self, const double *q, const double *qd, const double *w, double *qdd, double *dqdd) {
-  return FUNCTION(_directional)(self, (const NUMBER *)q, (const NUMBER *)qd, AT_ZERO, 1, (const NUMBER *)w, (NUMBER *)qdd, (NUMBER *)dqdd,
-                                work);
+  return FUNCTION(_directional)(self, (const NUMBER *)q, (const NUMBER *)qd, AT_ZERO, 1, (const NUMBER *)w, (NUMBER *)qdd,
+                                (NUMBER *)dqdd, work);
 }
 
 int bench_open(const bench_case *problem, bench_contender *contender) {

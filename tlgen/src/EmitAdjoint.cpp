@@ -204,7 +204,8 @@ private:
     if (has("simulate") && last_->constantMass()) members += number("constant_mass", 1);
     std::string s = list("eom_site ", "sites", sites, members, "sites", "nsite") +
                     list("char *const ", "parameter", parameters, members, "parameter", "np");
-    const bool lanes = std::any_of(printed_.begin(), printed_.end(), [&](const std::string &f) { return f.find("_lanes") != std::string::npos; });
+    const bool lanes =
+        std::any_of(printed_.begin(), printed_.end(), [&](const std::string &f) { return f.find("_lanes") != std::string::npos; });
     if (lanes) members += "  .lanes = TL_LANES,\n";
     for (const std::string &function : printed_) members += "  ." + function + " = " + name_ + "_" + function + ",\n";
     return s + "const eom_motion " + name_ + "_motion = {\n" + members + "};\n\nstatic const eom_motion *const " + name_ +

@@ -304,7 +304,8 @@ MotionFunction MotionFunctions::define(const std::string &name, const std::strin
     start += "  const " + model_.params->spelling + " *const " + TRACE_PARAMS + " = params;\n";
   start += "  if (!" + model_.name + "_fits(params)) return EOM_MOTION_SIZE;\n";
   MotionFunction f;
-  std::string head = "int " + model_.name + "_" + name + "(const void *params, const tl_real *restrict q, const tl_real *restrict qd, " +
+  std::string head = "int " + model_.name + "_" + name +
+                     "(const void *params, const tl_real *restrict q, const tl_real *restrict qd, " +
                      (body.lanes ? "const tl_real *restrict t, " : "tl_real t, ") + args + ", tl_real *restrict work)";
   if (body.lanes) head = replaced(head, "tl_real", "tl_lanes");
   f.definition = head + "\n{\n" + start + text + "  return 0;\n}\n\n";
@@ -382,8 +383,8 @@ std::string MotionFunctions::solve(Body &body) {
   body.memory("qdd", n), body.memory("dinv", 2 * padded(n)); // TL_LDL_DIAGONAL(n)
   const std::string pivot = "pivot * EOM_MOTION_LEAST_PIVOT(" + str(n) + ") < TL_C(1.0)";
   return body.printChecked(0) + "  const " + body.number() + " pivot = " + body.kernel("tl_ldl_factor_solve") + "(" + str(n) +
-         ", qdd, M, " + str(ld) + ", dinv, Q);\n" + each(n, "solved[i] = qdd[i];") + "  if (!" +
-         (body.lanes ? "tl_lanes_all(" : "(") + pivot + ")) return EOM_MOTION_PIVOT;\n";
+         ", qdd, M, " + str(ld) + ", dinv, Q);\n" + each(n, "solved[i] = qdd[i];") + "  if (!" + (body.lanes ? "tl_lanes_all(" : "(") +
+         pivot + ")) return EOM_MOTION_PIVOT;\n";
 }
 
 std::string MotionFunctions::acceleration(Body &body) { return solve(body) + finite(body.values.n, "qdd", body.lanes); }
@@ -392,8 +393,8 @@ std::string MotionFunctions::jacobian(Body &body) {
   long n = body.values.n, columns = 2 * n, ld = padded(columns);
   body.matrix(1, "r_y", body.memory("B", n * ld), columns, ld);
   std::string s = solve(body);
-  s += body.printChecked(1) + "  " + body.kernel("tl_ldl_solve_many") + "(" + str(n) + ", " + str(columns) + ", B, " + str(ld) + ", M, " + str(padded(n)) +
-       ", dinv);\n";
+  s += body.printChecked(1) + "  " + body.kernel("tl_ldl_solve_many") + "(" + str(n) + ", " + str(columns) + ", B, " + str(ld) +
+       ", M, " + str(padded(n)) + ", dinv);\n";
   return s + body.unpack(1, "r_y", "qdd_y", "B", n, columns, ld, "-") + finite(n, "qdd", body.lanes) +
          body.checkFinite(1, "r_y", "qdd_y", n * columns);
 }
@@ -402,8 +403,8 @@ std::string MotionFunctions::directional(Body &body) {
   long n = body.values.n;
   body.vector(1, "r_w", body.memory("B", n) + "[%]");
   std::string s = solve(body);
-  s += "  for (int c = 0; c < k; ++c) {\n" + indented(body.print(1)) + "    " + body.kernel("tl_ldl_solve") + "(" + str(n) + ", B, M, " + str(padded(n)) +
-       ", dinv, B);\n  " + each(n, "dqdd[i*k + c] = -B[i];") + "  }\n";
+  s += "  for (int c = 0; c < k; ++c) {\n" + indented(body.print(1)) + "    " + body.kernel("tl_ldl_solve") + "(" + str(n) +
+       ", B, M, " + str(padded(n)) + ", dinv, B);\n  " + each(n, "dqdd[i*k + c] = -B[i];") + "  }\n";
   return s + body.printer.returnSite() + finite(n, "qdd", body.lanes) + finite(str(n) + "*k", "dqdd", body.lanes);
 }
 

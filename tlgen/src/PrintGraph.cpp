@@ -16,7 +16,8 @@ const long longestLocal = 64;         // numbers of an array on the stack
 std::string blanks(int n) { return std::string(size_t(n), ' '); }
 
 bool isTruth(const Node *n) {
-  return n->op == Node::Compare || (n->op == Node::Math && n->text == "tl_power_exists") || n->op == Node::Not || n->op == Node::Conjunction || n->op == Node::Disjunction;
+  return n->op == Node::Compare || (n->op == Node::Math && n->text == "tl_power_exists") || n->op == Node::Not ||
+         n->op == Node::Conjunction || n->op == Node::Disjunction;
 }
 
 // Values whose text is as good as a name, wherever and however often it is used.
@@ -96,7 +97,8 @@ void GraphPrinter::requireLanes(const Node *n) {
   const std::string lanes = " depends on the state, which is another in each lane";
   for (size_t k = 0; k < n->args.size(); ++k) {
     if (!inLanes(n->args[k])) continue;
-    const bool ofTruths = n->op == Node::Not || n->op == Node::Conjunction || n->op == Node::Disjunction || (n->op == Node::Select && k == 0);
+    const bool ofTruths =
+        n->op == Node::Not || n->op == Node::Conjunction || n->op == Node::Disjunction || (n->op == Node::Select && k == 0);
     if (n->op == Node::Leaf || n->op == Node::Read) refuse("the place in an array" + lanes);
     if (n->op == Node::Convert || n->op == Node::Integer || (isInteger(n) && n->op == Node::Select)) refuse("an integer" + lanes);
     if (isTruth(n->args[k]) != ofTruths) refuse("a number that stands for a truth value" + lanes);
@@ -106,9 +108,7 @@ void GraphPrinter::requireLanes(const Node *n) {
 }
 
 // As an operand that must be lanes.
-Text GraphPrinter::filled(const Node *n) {
-  return lanes_ && !inLanes(n) ? Text{"tl_lanes_of(" + real(n).s + ")", Postfix} : real(n);
-}
+Text GraphPrinter::filled(const Node *n) { return lanes_ && !inLanes(n) ? Text{"tl_lanes_of(" + real(n).s + ")", Postfix} : real(n); }
 
 std::string GraphPrinter::type(const Node *n) {
   if (isTruth(n)) return inLanes(n) ? "tl_mask" : "int";
@@ -381,9 +381,7 @@ GraphPrinter::Shown GraphPrinter::logical(const Node *n) {
   const bool both = n->op == Node::Conjunction;
   if (!inLanes(n)) return combine(both ? "&&" : "||", n->args[0], n->args[1], true);
   Shown x = show(n->args[0]), y = show(n->args[1]);
-  auto mask = [&](const Node *arg, const Text &text) {
-    return inLanes(arg) ? text : Text{"tl_lanes_truth(" + text.s + ")", Postfix};
-  };
+  auto mask = [&](const Node *arg, const Text &text) { return inLanes(arg) ? text : Text{"tl_lanes_truth(" + text.s + ")", Postfix}; };
   x.text = binaryText(both ? "&" : "|", mask(n->args[0], x.text), mask(n->args[1], y.text));
   x.carried.insert(y.carried.begin(), y.carried.end());
   return x;
@@ -578,8 +576,8 @@ std::string GraphPrinter::batch(const Batch &b, int indent) {
   }
   std::string values = fresh(b.function + "s");
   results_[&b] = {values, ""};
-  return s + start + number() + " " + values + size + ";\n" + start + "for (int i = 0; i < " + std::to_string(count) + "; ++i) " + values +
-         "[i] = " + (lanes_ ? "tl_lanes_" : "") + b.function + "(" + (from[0] == '&' ? "(" + from + ")" : from) + "[i]);\n";
+  return s + start + number() + " " + values + size + ";\n" + start + "for (int i = 0; i < " + std::to_string(count) + "; ++i) " +
+         values + "[i] = " + (lanes_ ? "tl_lanes_" : "") + b.function + "(" + (from[0] == '&' ? "(" + from + ")" : from) + "[i]);\n";
 }
 
 std::string GraphPrinter::check(const Check &c, int indent) {

@@ -1,8 +1,8 @@
 /* Several states side by side: tl_lanes is TL_LANES numbers, one of each state, and arithmetic on it is arithmetic on each of them.
  *
- * What tlgen prints for many states at once (--lanes) is written in these terms. Where there are no vectors TL_LANES is 1 and tl_lanes a
- * number; so no lane is addressed but by TL_LANE. Files that hand lanes to each other must agree on TL_LANES: be compiled for the same
- * processor, or with the same -DTL_LANES=.. */
+ * What tlgen prints for many states at once (--lanes) is written in these terms. Where there are no vectors TL_LANES is 1 and tl_lanes
+ * a number; so no lane is addressed but by TL_LANE. Files that hand lanes to each other must agree on TL_LANES: be compiled for the
+ * same processor, or with the same -DTL_LANES=.. */
 #ifndef TAYLOR_LANES_H
 #define TAYLOR_LANES_H
 
@@ -23,7 +23,7 @@
 
 /* tl_mask: a truth value for each lane, what comparisons of tl_lanes are. & and | combine masks. */
 #if TL_LANES > 1
-typedef tl_real tl_lanes __attribute__((vector_size(TL_LANES * sizeof(tl_real)), may_alias));
+typedef tl_real tl_lanes __attribute__((vector_size(TL_LANES * sizeof(tl_real))));
 #ifdef TL_REAL_FLOAT
 typedef int tl_lane_bits;
 #else
@@ -34,7 +34,7 @@ typedef tl_lane_bits tl_mask __attribute__((vector_size(TL_LANES * sizeof(tl_lan
 #else
 typedef tl_real tl_lanes;
 typedef int tl_mask;
-#define TL_LANE(x, lane) (x)
+#define TL_LANE(x, lane) (*((void)(lane), &(x)))
 #endif
 
 #ifdef __cplusplus

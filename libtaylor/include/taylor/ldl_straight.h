@@ -12,13 +12,15 @@ typedef struct TL_T_NAME(tl_ldl_range) {
 } TL_T_NAME(tl_ldl_range);
 
 /* A pivot's inverse and its entry of M. Where a pivot is no number, all that follow are none, and so is least at the end. */
-TL_INLINE void TL_T_NAME(tl_ldl_extend)(TL_T_NAME(tl_ldl_range) *range, const TL_T *inverse, const TL_T *entry) {
+TL_INLINE void TL_T_NAME(tl_ldl_extend)(TL_T_NAME(tl_ldl_range) * range, const TL_T *inverse, const TL_T *entry) {
   const TL_T quotient = *entry * *inverse;
   range->largest = TL_T_WHERE(range->largest > quotient, range->largest, quotient);
   range->least = TL_T_WHERE(range->least < *inverse, range->least, *inverse);
 }
 
-TL_INLINE TL_T TL_T_NAME(tl_ldl_ratio)(const TL_T_NAME(tl_ldl_range) *range) { return TL_T_WHERE(range->least > TL_C(0.0), range->largest, TL_T_OF((tl_real)HUGE_VAL)); }
+TL_INLINE TL_T TL_T_NAME(tl_ldl_ratio)(const TL_T_NAME(tl_ldl_range) * range) {
+  return TL_T_WHERE(range->least > TL_C(0.0), range->largest, TL_T_OF((tl_real)HUGE_VAL));
+}
 
 /* M_ij - sum_k<count L_ik u_kj. Where it decides on a pivot the last product is (u_ki u_kj)/d_k, which waits less for 1/d_k. */
 TL_INLINE TL_T TL_T_NAME(tl_ldl_left)(const TL_T *w, int ld, const TL_T *d, int i, int j, int count, int pivotal) {
@@ -30,7 +32,7 @@ TL_INLINE TL_T TL_T_NAME(tl_ldl_left)(const TL_T *w, int ld, const TL_T *d, int 
 }
 
 /* Rows i and i+1: u to the right of the diagonal, L below it. */
-TL_INLINE void TL_T_NAME(tl_ldl_pair)(int n, TL_T *w, int ld, TL_T *d, int i, TL_T_NAME(tl_ldl_range) *range) {
+TL_INLINE void TL_T_NAME(tl_ldl_pair)(int n, TL_T *w, int ld, TL_T *d, int i, TL_T_NAME(tl_ldl_range) * range) {
   TL_T *upper = w + i * ld, *lower = upper + ld;
   const TL_T first = upper[i], second = lower[i + 1];
   const TL_T a = TL_T_NAME(tl_ldl_left)(w, ld, d, i, i, i, 1), b = TL_T_NAME(tl_ldl_left)(w, ld, d, i, i + 1, i, 1);

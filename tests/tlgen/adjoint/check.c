@@ -26,7 +26,7 @@ enum { RANDOM_STATES = 8, MOST_FAULTS = 10, DIRECTIONS = 3 };
 static int faults;
 
 typedef struct needs_error {
-  double energy, simulate, residual, linearise, tangent, parameters, acceleration, jacobian, directional;
+  double energy, simulate, residual, linearise, tangent, parameters, acceleration, jacobian, directional, lanes;
 } needs_error;
 
 static needs_error worst;
@@ -193,6 +193,67 @@ static void check_solved(const subject *s, const double *w, int k) {
   free(qdd), free(qdd_y), free(dqdd), free(expected);
 }
 
+/* ---- lanes ---- */
+
+/* Numbers of lanes: element i of lane l is at [i*lanes + l]. */
+static tl_real *lane_numbers(int count, int lanes) {
+  tl_real *a = aligned_alloc(EOM_MOTION_ALIGNMENT, (size_t)(count * lanes + EOM_MOTION_ALIGNMENT) * sizeof *a / EOM_MOTION_ALIGNMENT *
+                                                       EOM_MOTION_ALIGNMENT);
+  if (!a) exit(EXIT_FAILURE);
+  memset(a, 0, (size_t)(count * lanes) * sizeof *a);
+  return a;
+}
+
+static void take_lane(int count, int lanes, int lane, double *to, const tl_real *from) {
+  for (int i = 0; i < count; i++) to[i] = from[i * lanes + lane];
+}
+
+/* The functions for several states at once, at this state and near ones, against those for one. */
+static void check_lanes(const subject *s, const double *w, int k) {
+  const eom_motion *f = s->f;
+  const int n = s->calls->n, lanes = f->lanes;
+  tl_real *q = lane_numbers(n, lanes), *qd = lane_numbers(n, lanes), *t = lane_numbers(1, lanes), *all_w = lane_numbers(2 * n * k, lanes);
+  tl_real *qdd = lane_numbers(n, lanes), *qdd_y = lane_numbers(2 * n * n, lanes), *dqdd = lane_numbers(n * k, lanes);
+  tl_real *work = lane_numbers((int)f->work, lanes);
+  double *one = numbers(n), *one_d = numbers(n), *expected = numbers(n), *derivative = numbers(n * (2 * n > k ? 2 * n : k));
+  double *actual = numbers(n * (2 * n > k ? 2 * n : k));
+  int code = 0;
+  for (int l = 0; l < lanes; l++) {
+    t[l] = s->t;
+    for (int i = 0; i < n; i++) q[i * lanes + l] = s->q[i] * (1 + 1e-3 * l), qd[i * lanes + l] = s->qd[i] * (1 - 1e-3 * l);
+    for (int i = 0; i < 2 * n * k; i++) all_w[i * lanes + l] = w[i];
+  }
+#define LANES(a) ((const tl_lanes *)(const void *)(a))
+#define OUT(a) ((tl_lanes *)(void *)(a))
+  const int acceleration = f->acceleration_lanes ? f->acceleration_lanes(s->params, LANES(q), LANES(qd), LANES(t), OUT(qdd), OUT(work)) : 0;
+  const int jacobian =
+      f->jacobian_lanes ? f->jacobian_lanes(s->params, LANES(q), LANES(qd), LANES(t), OUT(qdd), OUT(qdd_y), OUT(work)) : acceleration;
+  const int directional = f->directional_lanes ? f->directional_lanes(s->params, LANES(q), LANES(qd), LANES(t), k, LANES(all_w), OUT(qdd),
+                                                                      OUT(dqdd), OUT(work))
+                                               : acceleration;
+  for (int l = 0; l < lanes; l++) {
+    take_lane(n, lanes, l, one, q), take_lane(n, lanes, l, one_d, qd);
+    const int alone = f->acceleration(s->params, one, one_d, s->t, expected, s->work);
+    code = code ? code : alone;
+    if (alone != 0 || acceleration != 0) continue;
+    const double limit = s->rtol / s->calls->report.pivot;
+    take_lane(n, lanes, l, actual, qdd);
+    compare(&worst.lanes, "qdd of a lane", actual, expected, 1, n, 0, 10 * limit);
+    if (f->jacobian && f->jacobian_lanes && f->jacobian(s->params, one, one_d, s->t, expected, derivative, s->work) == 0) {
+      take_lane(2 * n * n, lanes, l, actual, qdd_y);
+      compare(&worst.lanes, "qdd_y of a lane", actual, derivative, n, 2 * n, 0, 10 * limit / s->calls->report.pivot);
+    }
+    if (f->directional && f->directional_lanes && f->directional(s->params, one, one_d, s->t, k, w, expected, derivative, s->work) == 0) {
+      take_lane(n * k, lanes, l, actual, dqdd);
+      compare(&worst.lanes, "dqdd of a lane", actual, derivative, n, k, largest(qdd_y, 2 * n * n * lanes), 10 * limit / s->calls->report.pivot);
+    }
+  }
+  if (f->acceleration_lanes && (acceleration != 0) != (code != 0)) ran("lanes fail where a state does, and only there", acceleration ? acceleration : 99);
+  if (acceleration == 0) ran("jacobian of lanes", jacobian), ran("directional of lanes", directional);
+  free(q), free(qd), free(t), free(all_w), free(qdd), free(qdd_y), free(dqdd), free(work);
+  free(one), free(one_d), free(expected), free(derivative), free(actual);
+}
+
 /* ---- parameters ---- */
 
 /* (r - A' lambda, A qdd - b) by calls at the parameters as they are. */
@@ -273,6 +334,7 @@ static void check_state(subject *s, rng *r) {
     check_tangent(s, r_y, g_y, w, DIRECTIONS);
     if (s->f->acceleration) check_solved(s, w, DIRECTIONS);
     if (s->f->acceleration) check_solved(s, w, 1);
+    if (s->f->acceleration && s->f->lanes) check_lanes(s, w, DIRECTIONS);
     if (s->f->parameters) check_parameters(s);
   }
   free(r_y), free(g_y), free(w);
@@ -320,11 +382,11 @@ static eom_system *start(const void *params, unsigned needs, eom_emitter emitter
   exit(3);
 }
 
-static void print_errors(void) {
+static void print_errors(int lanes) {
   printf("%s: energy %.0e  simulate %.0e  residual %.0e  linearise %.0e  tangent %.0e  parameters %.0e  acceleration %.0e  jacobian "
-         "%.0e  directional %.0e\n",
+         "%.0e  directional %.0e  %d lanes %.0e\n",
          subject_model()->name, worst.energy, worst.simulate, worst.residual, worst.linearise, worst.tangent, worst.parameters,
-         worst.acceleration, worst.jacobian, worst.directional);
+         worst.acceleration, worst.jacobian, worst.directional, lanes, worst.lanes);
 }
 
 int main(int argc, char **argv) {
@@ -345,7 +407,7 @@ int main(int argc, char **argv) {
     check_points(&s, &r, argv[1]);
   else
     check_random(&s, &r);
-  print_errors();
+  print_errors(f->lanes);
   eom_system_destroy(by_motion);
   eom_system_destroy(s.calls);
   free(s.q), free(s.qd), free(s.qdd), free(s.lambda), free(s.work), free(params);
