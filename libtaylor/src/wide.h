@@ -54,7 +54,7 @@ static inline tl_wide tl_wide_sqrt(tl_wide a) {
   return tl_wide_quick_sum(s, (TL_LIBM(fma)(-s, s, a.hi) + a.lo) / (TL_C(2.0) * s));
 }
 
-/* The logarithm of a positive number, to some 1e-5 TL_EPSILON. */
+/* The logarithm of a positive number, to 1e-4 TL_EPSILON. */
 tl_wide tl_wide_log(tl_wide a);
 
 /* Up to this degree of the shape some functions of one variable compute their Taylor coefficients in twice the precision and compose
