@@ -72,7 +72,7 @@ private:
   Shown sum(const Node *n);
   Shown product(const Node *n);
   Shown call(const Node *n);
-  Shown logical(const Node *n);
+  Shown both(const std::string &op, const Node *a, const Node *b);
   Shown choice(const Node *n);
   Shown combine(const std::string &op, const Node *a, const Node *b, bool integers = false);
   Text real(const Node *n);
