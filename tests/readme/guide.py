@@ -1,6 +1,7 @@
-"""The user guide: its files are written, its commands run against the installed package, and their output compared with the page's.
+"""A page of documentation: its files are written, its commands run against the installed package, and their output compared with the
+page's.
 
-    guide.py GUIDE FOLDER PREFIX
+    guide.py PAGE FOLDER PREFIX
 """
 import os
 import re
@@ -49,10 +50,11 @@ for kind, name, text in blocks:
         same(printed, text)
         compared += 1
 
-# The page's CMakeLists.txt, whose models use the folders it names.
-os.makedirs(os.path.join(folder, "include"), exist_ok=True)
-first = next(text for kind, _, text in blocks if kind == "text")
-same(run(f"cmake -S . -B build -DCMAKE_PREFIX_PATH={prefix} >/dev/null && cmake --build build >log && build/rod_main"), first)
+# A page's CMakeLists.txt, whose models use the folders it names, makes the program of its first output.
+if any(name == "CMakeLists.txt" for _, name, _ in blocks):
+    os.makedirs(os.path.join(folder, "include"), exist_ok=True)
+    first = next(text for kind, _, text in blocks if kind == "text")
+    same(run(f"cmake -S . -B build -DCMAKE_PREFIX_PATH={prefix} >/dev/null && cmake --build build >log && build/rod_main"), first)
 if compared < 2:
     sys.exit(f"only {compared} outputs on the page")
 sys.exit(1 if failed else 0)
