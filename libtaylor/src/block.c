@@ -150,6 +150,18 @@ void tl_power_blocks(const tl_shape *s, tl_real *c, tl_real p, tl_real q, const 
   }
 }
 
+/* a E c = rate E a:  |B| a_0 c_B = rate |B| a_B - sum_{B1,B2>0} |B1| c_B1 a_B2. Only ratios of a's coefficients enter, which is why a
+ * may carry any constant factor. c may not be a. */
+void tl_log_blocks(const tl_shape *s, tl_real *c, tl_real rate, const tl_real *a) {
+  for (tl_block b = tl_first_block(s); b.n; b = tl_next_block(s, b)) {
+    const tl_real w = (tl_real)b.weight;
+    tl_row_zero(b.n, c + b.at);
+    tl_add_interior(s, b, c + b.at, (tl_factor){.u = -TL_C(1.0)}, c, a);
+    tl_row_add(b.n, c + b.at, rate * w, a + b.at);
+    tl_row_divide(b.n, c + b.at, w * a[0]);
+  }
+}
+
 /* c_B = x (2 a_0 a_B + sum_{B1,B2>0} a_B1 a_B2). */
 void tl_square_blocks(const tl_shape *s, tl_real *c, tl_real x, const tl_real *a) {
   for (tl_block b = tl_first_block(s); b.n; b = tl_next_block(s, b)) {

@@ -67,11 +67,15 @@ const tl_real *tl_unaliased(tl_ctx *cx, const tl_real *a, const tl_real *c, int 
  * are normal numbers. 1 for x = 0. */
 tl_real tl_normaliser(tl_real x);
 
+/* By how much a recurrence may exceed its largest coefficient on the way. */
+#define TL_HEADROOM TL_C(1024.0)
+
 /* Recurrences that several functions share. Each takes the value c[0] as given and fills the rest.
  *
  *   tl_exp_blocks        E c = u c E a             c may not be a
  *   tl_integral_blocks   E c = x g E a             c may not be a or g
  *   tl_power_blocks      q a E c = p c E a         c = constant * a^(p/q); c may not be a; a[0] not 0
+ *   tl_log_blocks        a E c = rate E a                           c may not be a; a[0] not 0
  *   tl_product_blocks    c = a b                   without the value; c may be a or b
  *   tl_square_blocks     c = x a^2                 without the value; c may not be a
  *   tl_horner_step       c = c (h - h[0]) + f      with the value, in the blocks of weight at most top; c may not be h
@@ -81,6 +85,7 @@ tl_real tl_normaliser(tl_real x);
 void tl_exp_blocks(const tl_shape *s, tl_real *c, tl_real u, const tl_real *a);
 void tl_integral_blocks(const tl_shape *s, tl_real *c, tl_real x, const tl_real *g, const tl_real *a);
 void tl_power_blocks(const tl_shape *s, tl_real *c, tl_real p, tl_real q, const tl_real *a);
+void tl_log_blocks(const tl_shape *s, tl_real *c, tl_real rate, const tl_real *a);
 void tl_product_blocks(const tl_shape *s, tl_real *c, const tl_real *a, const tl_real *b);
 void tl_square_blocks(const tl_shape *s, tl_real *c, tl_real x, const tl_real *a);
 void tl_horner_step(const tl_shape *s, tl_real *c, const tl_real *h, tl_real f, int top);

@@ -53,15 +53,18 @@ static tl_wide zeta_tail(int k, tl_wide r) {
   return add_real(tl_wide_add(whole, tl_wide_mul(r, tl_widen(TL_C(0.5)))), sum);
 }
 
-/* s[1] = psi(x), s[k] = zeta(k,x) for k = 2..degree; x > 0. The tails start where the terms of degree k still fall quickly. */
-static void polygammas(tl_wide *s, tl_wide x, int degree) {
+static tl_wide times_real(tl_wide a, tl_real x) { return tl_wide_mul(a, tl_widen(x)); }
+
+/* s[1] = psi(x) shrink, s[k] = zeta(k,x) shrink^k for k = 2..degree; x > 0. The tails start where the terms of degree k still fall
+ * quickly. */
+static void polygammas(tl_wide *s, tl_wide x, int degree, tl_real shrink) {
   const tl_wide one = tl_widen(TL_C(1.0));
   const tl_real start = SHIFT + (tl_real)(TL_MANT_DIG > 64 ? 2 * degree : degree);
-  s[1] = digamma(x);
+  s[1] = times_real(digamma(x), shrink);
   for (int k = 2; k <= degree; k++) s[k] = tl_widen(TL_C(0.0));
   if (degree < 2) return;
   for (; x.hi < start; x = add_real(x, TL_C(1.0))) {
-    const tl_wide r = tl_wide_div(one, x);
+    const tl_wide r = times_real(tl_wide_div(one, x), shrink);
     tl_wide power = r;
     for (int k = 2; k <= degree; k++) {
       power = tl_wide_mul(power, r);
@@ -69,31 +72,45 @@ static void polygammas(tl_wide *s, tl_wide x, int degree) {
     }
   }
   const tl_wide r = tl_wide_div(one, x);
-  tl_wide power = one;
+  tl_wide power = tl_widen(shrink);
   for (int k = 2; k <= degree; k++) {
-    power = tl_wide_mul(power, r);
+    power = times_real(tl_wide_mul(power, r), shrink);
     s[k] = tl_wide_add(s[k], tl_wide_mul(power, zeta_tail(k, r)));
   }
 }
 
-/* f[k] = coefficient k of log|Gamma(x+h)|, k = 1..degree, for every x but the poles. Below zero the sum over n is cut at the fraction
- * y = x - floor(x) of x: zeta(k,x) = zeta(k,y) + (-1)^k (zeta(k,1-y) - zeta(k,1-x)), and so for psi with k = 1. */
-static void log_gamma_series(tl_wide *f, tl_real x, int degree) {
+/* A power of two near the distance to the nearest pole where that is small, otherwise 1. Series are made in a/shrink, since beside a
+ * pole their coefficients grow like powers of its distance. */
+static tl_real shrink_for(tl_real x) {
+  const tl_real close = TL_C(9.5367431640625e-7), distance = TL_LIBM(fabs)(x < TL_C(0.0) ? x - TL_LIBM(round)(x) : x);
+  return distance < close ? TL_C(1.0) / tl_normaliser(distance) : TL_C(1.0);
+}
+
+/* f[k] = coefficient k of log|Gamma(x+h)| times shrink^k, k = 1..degree, for every x but the poles. Below zero the sum over n is cut at
+ * the fraction y = x - floor(x) of x: zeta(k,x) = zeta(k,y) + (-1)^k (zeta(k,1-y) - zeta(k,1-x)), and so for psi with k = 1. */
+static void log_gamma_series(tl_wide *f, tl_real x, int degree, tl_real shrink) {
   if (degree == 0) return;
   if (x > TL_C(0.0)) {
-    polygammas(f, tl_widen(x), degree);
+    polygammas(f, tl_widen(x), degree, shrink);
   } else {
     tl_wide mirrored[MAX_DEGREE + 1], far[MAX_DEGREE + 1];
     const tl_real below = TL_LIBM(floor)(x);
-    polygammas(f, tl_wide_sum(x, -below), degree);
-    polygammas(mirrored, tl_wide_sum(below + TL_C(1.0), -x), degree);
-    polygammas(far, tl_wide_sum(TL_C(1.0), -x), degree);
+    polygammas(f, tl_wide_sum(x, -below), degree, shrink);
+    polygammas(mirrored, tl_wide_sum(below + TL_C(1.0), -x), degree, shrink);
+    polygammas(far, tl_wide_sum(TL_C(1.0), -x), degree, shrink);
     for (int k = 1; k <= degree; k++) {
       const tl_wide between = tl_wide_add(mirrored[k], tl_wide_neg(far[k]));
       f[k] = tl_wide_add(f[k], k % 2 ? tl_wide_neg(between) : between);
     }
   }
   for (int k = 2; k <= degree; k++) f[k] = tl_wide_div(f[k], tl_widen((tl_real)(k % 2 ? -k : k)));
+}
+
+/* c = sum_k f[k] ((a - a_0)/shrink)^k. */
+static void compose_shrunk(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *f, tl_real shrink) {
+  tl_real *x = tl_scratch(cx, 1);
+  for (int i = 0; i < cx->shape->ncoef; i++) x[i] = a[i] / shrink;
+  tl_compose_blocks(cx, c, x, f, cx->shape->degree, 0);
 }
 
 /* True where x is no pole; otherwise c is rejected. */
@@ -130,9 +147,10 @@ void tl_lgamma(tl_ctx *cx, tl_real *c, const tl_real *a) {
   if (a[0] >= FAR && degree > 0) {
     log_gamma_far(cx, c, a, f);
   } else {
-    log_gamma_series(l, a[0], degree);
+    const tl_real shrink = shrink_for(a[0]);
+    log_gamma_series(l, a[0], degree, shrink);
     for (int k = 1; k <= degree; k++) f[k] = tl_narrow(l[k]);
-    tl_compose_blocks(cx, c, a, f, degree, 0);
+    compose_shrunk(cx, c, a, f, shrink);
   }
   tl_check(cx, c, TL_FN_lgamma);
 }
@@ -157,14 +175,15 @@ static tl_real times_gamma(tl_wide p, tl_real x, tl_real value) {
   return product;
 }
 
-/* Gamma(x+h) = Gamma(x) p, k p_k = sum_{j=1..k} j l_j p_(k-j) with l of the logarithm. */
+/* Where Gamma may underflow its series is made in a itself, whose growth makes up for it.
+ * Gamma(x+h) = Gamma(x) p, k p_k = sum_{j=1..k} j l_j p_(k-j) with l of the logarithm. */
 void tl_tgamma(tl_ctx *cx, tl_real *c, const tl_real *a) {
   if (!off_the_poles(cx, c, a[0], TL_FN_tgamma)) return;
   const int degree = cx->shape->degree;
-  const tl_real x = a[0], value = TL_LIBM(tgamma)(x);
+  const tl_real x = a[0], shrink = x < STEEP ? TL_C(1.0) : shrink_for(x), value = TL_LIBM(tgamma)(x);
   tl_wide l[MAX_DEGREE + 1], p[MAX_DEGREE + 1];
   tl_real f[MAX_DEGREE + 1];
-  log_gamma_series(l, x, degree);
+  log_gamma_series(l, x, degree, shrink);
   p[0] = tl_widen(TL_C(1.0));
   f[0] = value;
   for (int k = 1; k <= degree; k++) {
@@ -173,6 +192,6 @@ void tl_tgamma(tl_ctx *cx, tl_real *c, const tl_real *a) {
     p[k] = tl_wide_div(p[k], tl_widen((tl_real)k));
     f[k] = times_gamma(p[k], x, value);
   }
-  tl_compose_blocks(cx, c, a, f, degree, 0);
+  compose_shrunk(cx, c, a, f, shrink);
   tl_check(cx, c, TL_FN_tgamma);
 }

@@ -15,7 +15,8 @@ static void quadratic_power(tl_wide *g, int top, tl_wide d0, tl_real d1, tl_real
 }
 
 /* E c = rate d^p E a, where d = sign a^2 + constant is given by its value d_0, and p is -1 or -1/2. Powers of a power are free of
- * cancellation near the ends of a domain as long as d_0 is. a is scaled by the caller; x is that scaled jet in scratch jet 0. */
+ * cancellation near the ends of a domain as long as d_0 is. a is scaled by the caller; x is that scaled jet in scratch jet 0. Near the
+ * ends the coefficients of the series grow like powers of the distance, which x takes over. */
 static void integrate_power(tl_ctx *cx, tl_real *c, tl_real value, tl_real rate, tl_real sign, tl_wide d0, tl_real p, tl_fn function) {
   const int degree = cx->shape->degree;
   const tl_real *x = tl_scratch(cx, 0);
@@ -23,8 +24,10 @@ static void integrate_power(tl_ctx *cx, tl_real *c, tl_real value, tl_real rate,
   if (degree <= TL_WIDE_DEGREE) {
     tl_wide series[TL_WIDE_DEGREE] = {g0};
     tl_real f[TL_WIDE_DEGREE + 1] = {value};
-    quadratic_power(series, degree - 1, d0, TL_C(2.0) * sign * x[0], sign, p);
-    for (int k = 1; k <= degree; k++) f[k] = rate * tl_narrow(tl_wide_div(series[k - 1], tl_widen((tl_real)k)));
+    const tl_real shrink = TL_C(1.0) / TL_LIBM(fmax)(tl_normaliser(d0.hi), TL_C(1.0));
+    quadratic_power(series, degree - 1, d0, TL_C(2.0) * sign * x[0] * shrink, sign * shrink * shrink, p);
+    for (int k = 1; k <= degree; k++) f[k] = rate * shrink * tl_narrow(tl_wide_div(series[k - 1], tl_widen((tl_real)k)));
+    tl_row_scale(cx->shape->ncoef, tl_scratch(cx, 0), TL_C(1.0) / shrink);
     tl_compose_blocks(cx, c, x, f, degree, 1);
   } else {
     tl_real *d = tl_scratch(cx, 1), *g = tl_scratch(cx, 2);

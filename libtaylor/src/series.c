@@ -105,24 +105,41 @@ static void divide_blocks(const tl_shape *s, tl_real *c, const tl_real *a, const
   }
 }
 
-/* Near the ends of the range of numbers the terms of the sum could overflow or lose digits although the quotient does not. */
+/* So far from 1 that products of a few such numbers may leave the range of numbers, or lose digits, although the quotient does not. */
 static int is_extreme(tl_real x) {
-  const tl_real size = TL_LIBM(fabs)(x);
-  return size > TL_MAX * TL_EPSILON || (size < TL_MIN / TL_EPSILON && size > TL_C(0.0));
+  const tl_real far = TL_C(1.0) / (TL_EPSILON * TL_EPSILON), size = TL_LIBM(fabs)(x);
+  return size > far || (size < TL_C(1.0) / far && size > TL_C(0.0));
 }
 
-/* c = a/b with both brought to about 1 by powers of two. */
+static tl_real largest_derivative(const tl_shape *s, const tl_real *a) {
+  tl_real largest = TL_C(0.0);
+  for (int i = 1; i < s->ncoef; i++) largest = TL_LIBM(fmax)(largest, TL_LIBM(fabs)(a[i]));
+  return largest;
+}
+
+/* By how much the dividend is raised where the quotient, about as large as the divisor is small, would first be computed below the
+ * normal numbers: to about 1 where no coefficient grows by the division, otherwise until a subnormal value has its digits. Beside a
+ * large divisor a dividend near the largest number is lowered, as the recurrence exceeds it on the way. */
+static tl_real lift_of(const tl_shape *s, const tl_real *a, tl_real scale, tl_real growth) {
+  const tl_real largest = TL_LIBM(fmax)(TL_LIBM(fabs)(a[0]), largest_derivative(s, a));
+  if (scale <= TL_C(1.0)) return largest > TL_MAX / TL_HEADROOM ? TL_C(1.0) / TL_HEADROOM : TL_C(1.0);
+  if (growth <= TL_C(2.0)) return TL_LIBM(fmax)(tl_normaliser(largest), TL_C(1.0));
+  return TL_LIBM(fabs)(a[0]) < TL_MIN / TL_EPSILON ? TL_C(2.0) / TL_EPSILON : TL_C(1.0);
+}
+
+/* c = a/b with the divisor brought to about 1 by a power of two. */
 static void divide_scaled(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
   const int n = cx->shape->ncoef;
   tl_real *x = tl_scratch(cx, 0), *y = tl_scratch(cx, 1);
-  const tl_real scale_a = tl_normaliser(a[0]), scale_b = tl_normaliser(b[0]), value = a[0] / b[0];
+  const tl_real scale = tl_normaliser(b[0]), value = a[0] / b[0];
+  const tl_real lift = lift_of(cx->shape, a, scale, scale * largest_derivative(cx->shape, b));
   for (int i = 0; i < n; i++) {
-    x[i] = scale_a * a[i];
-    y[i] = scale_b * b[i];
+    x[i] = lift * a[i];
+    y[i] = scale * b[i];
   }
   c[0] = x[0] / y[0];
   divide_blocks(cx->shape, c, x, y);
-  tl_row_scale(n, c, scale_b / scale_a);
+  tl_row_scale(n, c, scale / lift);
   c[0] = value;
 }
 

@@ -54,11 +54,17 @@ static inline tl_wide tl_wide_sqrt(tl_wide a) {
   return tl_wide_quick_sum(s, (TL_LIBM(fma)(-s, s, a.hi) + a.lo) / (TL_C(2.0) * s));
 }
 
+extern const tl_wide tl_wide_ln2; /* log 2 */
+
 /* The logarithm of a positive number, to 1e-4 TL_EPSILON. */
 tl_wide tl_wide_log(tl_wide a);
 
-/* Up to this degree of the shape some functions of one variable compute their Taylor coefficients in twice the precision and compose
- * them with the jet; that takes no more products of jets than their recurrence, which serves every higher degree. */
-enum { TL_WIDE_DEGREE = 4 };
+/* exp(x), as precise; only as precise as the C library's where it is not a normal number. */
+tl_wide tl_wide_exp(tl_real x);
+
+/* Up to this degree of the shape most functions compute their Taylor coefficients in twice the precision and compose them with the jet.
+ * In many variables that takes hardly more than one product of jets, as only the last step of Horner's scheme reaches the highest
+ * order; a recurrence serves every higher degree. */
+enum { TL_WIDE_DEGREE = 6 };
 
 #endif

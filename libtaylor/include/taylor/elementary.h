@@ -67,8 +67,7 @@ void tl_atanh(tl_ctx *cx, tl_real *c, const tl_real *a);
 void tl_erf(tl_ctx *cx, tl_real *c, const tl_real *a);
 void tl_erfc(tl_ctx *cx, tl_real *c, const tl_real *a);
 
-/* The gamma function and log|gamma|; their stack holds some 700 numbers. They are composed from f^(k)(x)/k!, which overflow beside a
- * pole at a distance e where e^(-degree-1) does: NONFINITE, whatever the derivatives of a. The C library's lgamma also writes its
+/* The gamma function and log|gamma|; their stack holds some 700 numbers. The C library's lgamma also writes its
  * global signgam. */
 void tl_tgamma(tl_ctx *cx, tl_real *c, const tl_real *a);
 void tl_lgamma(tl_ctx *cx, tl_real *c, const tl_real *a);
