@@ -4,11 +4,16 @@
 
 #include "taylor/taylor.h"
 
+/* Of one jet, of two, or of one jet and a constant. */
 typedef struct jet_function {
   const char *name; /* as in reference_function.h */
   void (*one)(tl_ctx *cx, tl_real *c, const tl_real *a);
   void (*two)(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b);
+  void (*constant)(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real x);
 } jet_function;
+
+/* c = f(a), f(a,b) or f(a,b[0]). */
+void jet_apply(const jet_function *f, tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b);
 
 extern const jet_function jet_functions[];
 extern const int njet_functions;

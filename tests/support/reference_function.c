@@ -1,5 +1,5 @@
 /* Taylor coefficients of the elementary functions by differences in very high precision. */
-#include "reference_function.h"
+#include "reference_series.h"
 
 #include <assert.h>
 #include <limits.h>
@@ -37,6 +37,13 @@ static double exponent_width(double x, double y) { return (void)y, 1.0 / (1.0 + 
 static double tanh_bits(double x, double y) { return (void)y, 3.0 * fabs(x); }
 static double expm1_bits(double x, double y) { return (void)y, x < 0.0 ? -1.5 * x : 0.0; }
 static double erf_bits(double x, double y) { return (void)y, 1.5 * x * x; }
+
+/* The constant exponent y of x, or 0 where a negative x has no such power. */
+static double exponent_of_sign(double x, double y) { return x > 0.0 || y == floor(y) ? 1.0 : 0.0; }
+static double base_of_power(double x, double y) { return (void)x, fmax(y, 0.0); }
+
+/* y^x. */
+static int power_of_y(mpfr_t f, const mpfr_t x, const mpfr_t y, mpfr_rnd_t rounding) { return mpfr_pow(f, y, x, rounding); }
 
 /* log|gamma|, whatever the sign of gamma. */
 static int log_gamma(mpfr_t f, const mpfr_t x, mpfr_rnd_t rounding) {
@@ -208,6 +215,24 @@ const ref_function ref_functions[] = {
      .x = {ABOVE(0, -100, 100), ABOVE(0, -2, 2)},
      .y = {EITHER(-20, 2), EITHER(-2, 2)},
      .hard = {1, 2, END}},
+    {.name = "powc",
+     .two = mpfr_pow,
+     .reach = to_zero,
+     .reach_y = exponent_of_sign,
+     .x = {EITHER(-100, 100), EITHER(-2, 2)},
+     .y = {EITHER(-20, 2), EITHER(-2, 6)},
+     .hard = {1, 2, -1, END},
+     .nhard_y = 13,
+     .hard_y = {-3, -2, -1, -0.5, 1.0 / 3.0, 0.5, 2.0 / 3.0, 1, 1.5, 2, 3, 7, 40}},
+    {.name = "rpow",
+     .two = power_of_y,
+     .reach = everywhere,
+     .reach_y = base_of_power,
+     .x = {EITHER(-20, 2), EITHER(-2, 8)},
+     .y = {ABOVE(0, -20, 20), ABOVE(0, -2, 2), AROUND(1, -52, -1)},
+     .hard = {1, 2, -1, 0, 0.5, END},
+     .nhard_y = 4,
+     .hard_y = {2, 10, 0.5, 1}},
     {.name = "hypot",
      .two = mpfr_hypot,
      .reach = to_origin,
@@ -245,19 +270,48 @@ void ref_draw(const ref_function *f, rng *r, double *x, double *y) {
   while (!isnan(f->hard[n])) n++;
   do { /* rounding may put a point on a singularity */
     *x = rng_below(r, 16) == 0 ? f->hard[rng_below(r, n)] : draw_from(f->x, r);
-    *y = draw_from(f->y, r);
+    *y = f->nhard_y > 0 && rng_below(r, 4) == 0 ? f->hard_y[rng_below(r, f->nhard_y)] : draw_from(f->y, r);
   } while (!(f->reach(*x, *y) > 0.0) || (f->two && !(f->reach_y(*x, *y) > 0.0)));
 }
 
-/* Differences on the nodes -NODES..NODES times the step: coefficient k of the interpolating polynomial is
+/* Where mpfr_lgamma and mpfr_gamma would take too long. */
+static const double FAR_LEFT = -4000.0;
+
+static int has_value(const ref_function *f, double x, double y) {
+  mpfr_t at, at_y, value;
+  if (!(f->reach(x, y) > 0.0) || (f->two && !(f->reach_y(x, y) > 0.0))) return 0;
+  if ((f->one == mpfr_gamma || f->one == log_gamma) && x < FAR_LEFT) return 0;
+  mpfr_inits2(64, at, at_y, value, (mpfr_ptr)0);
+  mpfr_set_d(at, x, MPFR_RNDN);
+  mpfr_set_d(at_y, y, MPFR_RNDN);
+  if (f->one)
+    f->one(value, at, MPFR_RNDN);
+  else
+    f->two(value, at, at_y, MPFR_RNDN);
+  const int has = mpfr_number_p(value) != 0;
+  mpfr_clears(at, at_y, value, (mpfr_ptr)0);
+  return has;
+}
+
+void ref_draw_anywhere(const ref_function *f, rng *r, double *x, double *y) {
+  do {
+    *x = rng_sign(r) * rng_exponent(r, -1074.0, 1024.0);
+    *y = f->two ? rng_sign(r) * rng_exponent(r, -1074.0, 1024.0) : 0.0;
+  } while (!has_value(f, *x, *y));
+}
+
+/* Differences on the nodes -n..n times the step: coefficient k of the interpolating polynomial is
  * step^-k sum_j value_j weight[j][k], weight[j] the coefficients of the Lagrange polynomial prod_{i != j} (u - i)/(j - i). Its error is
  * of relative size (step/reach)^2, far below the last bit of a double. */
-enum { NODES = 3, NVALUE = 2 * NODES + 1, STEP_BITS = 100, GUARD_BITS = 400, NOISE_BITS = 60, TRUNCATION_BITS = 450 };
+enum { MAX_NODES = 4, NVALUE = 2 * MAX_NODES + 1, STEP_BITS = 100, GUARD_BITS = 400, NOISE_BITS = 60, TRUNCATION_BITS = 450 };
 
-static void lagrange(int j, long *numerator, long *denominator) {
+/* n: the interpolation's degree 2n is above that of the coefficients. */
+static int nodes_for(int degree) { return degree < MAX_NODES * 2 - 1 ? MAX_NODES - 1 : MAX_NODES; }
+
+static void lagrange(int nodes, int j, long *numerator, long *denominator) {
   memset(numerator, 0, NVALUE * sizeof *numerator);
   numerator[0] = *denominator = 1;
-  for (int i = -NODES, degree = 0; i <= NODES; i++) {
+  for (int i = -nodes, degree = 0; i <= nodes; i++) {
     if (i == j) continue;
     degree++;
     for (int k = degree; k >= 0; k--) numerator[k] = (k > 0 ? numerator[k - 1] : 0) - i * numerator[k];
@@ -269,11 +323,12 @@ static void lagrange(int j, long *numerator, long *denominator) {
  * size 2^noise each, is zero. */
 static void interpolate(mpfr_t *c, int degree, mpfr_t *value, long step, long noise, mpfr_prec_t precision) {
   long numerator[NVALUE], denominator;
+  const int nodes = nodes_for(degree);
   mpfr_t term;
   mpfr_init2(term, precision);
   for (int k = 0; k <= degree; k++) mpfr_set_zero(c[k], 1);
-  for (int j = 0; j < NVALUE; j++) {
-    lagrange(j - NODES, numerator, &denominator);
+  for (int j = 0; j <= 2 * nodes; j++) {
+    lagrange(nodes, j - nodes, numerator, &denominator);
     for (int k = 0; k <= degree; k++) {
       mpfr_mul_si(term, value[j], numerator[k], MPFR_RNDN);
       mpfr_div_si(term, term, denominator, MPFR_RNDN);
@@ -288,9 +343,9 @@ static void interpolate(mpfr_t *c, int degree, mpfr_t *value, long step, long no
 }
 
 /* Exponent of the rounding of values as large as the largest of these. */
-static long noise_of(mpfr_t *value, mpfr_prec_t precision) {
+static long noise_of(mpfr_t *value, int nodes, mpfr_prec_t precision) {
   long largest = LONG_MIN / 2;
-  for (int j = 0; j < NVALUE; j++)
+  for (int j = 0; j <= 2 * nodes; j++)
     if (!mpfr_zero_p(value[j]) && mpfr_get_exp(value[j]) > largest) largest = mpfr_get_exp(value[j]);
   return largest - precision;
 }
@@ -320,16 +375,17 @@ static void node(mpfr_t at, double x, int j, long step) {
 static void taylor_one(const ref_function *function, double x, int degree, mpfr_t *f) {
   const double reach = function->reach(x, 0.0), extra = function->digits ? function->digits(x, 0.0) : 0.0;
   const long step = step_of(reach);
+  const int nodes = nodes_for(degree);
   const mpfr_prec_t precision = precision_for(x, reach, extra);
   mpfr_t at, value[NVALUE], c[NVALUE];
   mpfr_init2(at, precision);
   init_all(value, NVALUE, precision);
   init_all(c, NVALUE, precision);
-  for (int j = 0; j < NVALUE; j++) {
-    node(at, x, j - NODES, step);
+  for (int j = 0; j <= 2 * nodes; j++) {
+    node(at, x, j - nodes, step);
     function->one(value[j], at, MPFR_RNDN);
   }
-  interpolate(c, degree, value, step, noise_of(value, precision), precision);
+  interpolate(c, degree, value, step, noise_of(value, nodes, precision), precision);
   for (int i = 0; i <= degree; i++)
     for (int j = 0; j <= degree; j++) mpfr_set_zero(f[i * (degree + 1) + j], 1);
   for (int i = 0; i <= degree; i++) mpfr_set(f[i * (degree + 1)], c[i], MPFR_RNDN);
@@ -356,30 +412,31 @@ static void drop_truncation(mpfr_t *f, int degree, long reach, long reach_y) {
 static void taylor_two(const ref_function *function, double x, double y, int degree, mpfr_t *f) {
   const double reach = function->reach(x, y), reach_y = function->reach_y(x, y);
   const long step = step_of(reach), step_y = step_of(reach_y);
+  const int nodes = nodes_for(degree);
   const mpfr_prec_t precision = precision_for(x, reach, 0.0) + precision_for(y, reach_y, 0.0);
   mpfr_t at, at_y, value[NVALUE], along_y[NVALUE][NVALUE], c[NVALUE];
   mpfr_inits2(precision, at, at_y, (mpfr_ptr)0);
   init_all(value, NVALUE, precision);
   init_all(c, NVALUE, precision);
   long noise = LONG_MIN / 2;
-  for (int i = 0; i < NVALUE; i++) { /* along_y[i][l]: coefficient l in y at node i of x */
+  for (int i = 0; i <= 2 * nodes; i++) { /* along_y[i][l]: coefficient l in y at node i of x */
     init_all(along_y[i], NVALUE, precision);
-    node(at, x, i - NODES, step);
-    for (int j = 0; j < NVALUE; j++) {
-      node(at_y, y, j - NODES, step_y);
+    node(at, x, i - nodes, step);
+    for (int j = 0; j <= 2 * nodes; j++) {
+      node(at_y, y, j - nodes, step_y);
       function->two(value[j], at, at_y, MPFR_RNDN);
     }
-    const long here = noise_of(value, precision);
+    const long here = noise_of(value, nodes, precision);
     if (here > noise) noise = here;
     interpolate(along_y[i], degree, value, step_y, here, precision);
   }
   for (int l = 0; l <= degree; l++) {
-    for (int i = 0; i < NVALUE; i++) mpfr_set(value[i], along_y[i][l], MPFR_RNDN);
+    for (int i = 0; i <= 2 * nodes; i++) mpfr_set(value[i], along_y[i][l], MPFR_RNDN);
     interpolate(c, degree, value, step, noise - l * step_y, precision);
     for (int i = 0; i <= degree; i++) mpfr_set(f[i * (degree + 1) + l], c[i], MPFR_RNDN);
   }
   drop_truncation(f, degree, step + STEP_BITS, step_y + STEP_BITS);
-  for (int i = 0; i < NVALUE; i++) clear_all(along_y[i], NVALUE);
+  for (int i = 0; i <= 2 * nodes; i++) clear_all(along_y[i], NVALUE);
   clear_all(c, NVALUE);
   clear_all(value, NVALUE);
   mpfr_clears(at, at_y, (mpfr_ptr)0);
@@ -416,7 +473,7 @@ void ref_apply(const ref_function *function, const ref_shape *s, ref_jet *result
   init_all(d, N, REF_PRECISION);
   ref_set(&x, a);
   if (b) ref_set(&y, b);
-  ref_taylor(function, a[0], b ? b[0] : 0.0, degree, f);
+  ref_series(function, a[0], b ? b[0] : 0.0, degree, f);
   ref_compose2(s, result, &x, &y, f, degree);
   for (int i = 0; i < size->n; i++) mpfr_set_zero(size->c[i], 1);
   differentiate(d, f, degree, 0);

@@ -6,7 +6,7 @@
 #include "random.h"
 #include "reference_jet.h"
 
-enum { REF_MAX_DEGREE = 6 };
+enum { REF_MAX_DEGREE = 7 };
 
 /* Where the arguments of a function are drawn from: anchor + side*2^u, u uniform in [lo, hi); side 0 takes either sign. */
 typedef struct ref_region {
@@ -25,6 +25,8 @@ typedef struct ref_function {
   double (*digits)(double x, double y); /* bits by which coefficients differ in size beyond powers of x; null: none */
   ref_region x[4], y[4];                /* as many as have lo < hi */
   double hard[12];                      /* more arguments x, up to the first NaN */
+  int nhard_y;
+  double hard_y[16]; /* more arguments y */
 } ref_function;
 
 extern const ref_function ref_functions[];
@@ -34,6 +36,9 @@ const ref_function *ref_lookup(const char *name);
 
 /* A random argument from the function's regions. */
 void ref_draw(const ref_function *f, rng *r, double *x, double *y);
+
+/* A random argument of either sign, uniform in the exponent over all numbers, subnormal ones too, where the function has a value. */
+void ref_draw_anywhere(const ref_function *f, rng *r, double *x, double *y);
 
 /* f[i*(degree+1)+j] = coefficient of h^i g^j of f(x+h, y+g), i+j <= degree (j = 0 for one variable); degree <= REF_MAX_DEGREE. The
  * caller has initialised the (degree+1)^2 numbers to REF_PRECISION. */
