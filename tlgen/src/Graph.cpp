@@ -51,6 +51,16 @@ const Guard *common(const Guard *a, const Guard *b) {
   return a;
 }
 
+// Whether one is a guard of other values of what the other is, or of what both are.
+bool isRemade(const Guard *a, const Guard *b) {
+  auto source = [](const Guard *g) { return g->of ? g->of : g; };
+  const Guard *both = common(a, b);
+  for (const Guard *x = a; x != both; x = x->outer)
+    for (const Guard *y = b; y != both; y = y->outer)
+      if (source(x) == source(y)) return true;
+  return false;
+}
+
 // The conditions that are known where the loop's values are: a value that does not vary in a loop is computed before it.
 const Guard *visible(const Guard *guard, const Loop *loop) {
   while (guard && guard->holds->loop && !(loop && loop->within(guard->holds->loop))) guard = guard->outer;
@@ -98,25 +108,31 @@ bool Graph::covers(const Guard *outer, const Guard *inner) {
   return !outer;
 }
 
-const Guard *Graph::under(const Guard *outer, Node *condition) {
+const Guard *Graph::under(const Guard *outer, Node *condition, const Guard *of) {
   Node *holds = outer ? logicalAnd(outer->holds, condition) : condition;
   for (const Guard &g : guards_)
     if (g.outer == outer && g.holds == holds) return &g;
-  return &guards_.emplace_back(Guard{outer, holds});
+  return &guards_.emplace_back(Guard{outer, holds, of});
 }
 
 const Guard *Graph::remade(const Guard *of, const std::function<Node *(Node *)> &other) {
   if (!of) return nullptr;
   Node *condition = other(of->holds);
-  return condition == of->holds ? of : under(remade(of->outer, other), condition);
+  return condition == of->holds ? of : under(remade(of->outer, other), condition, of->of ? of->of : of);
+}
+
+// What is there already. An operation under the same condition of other values is another one: it has no condition that both know.
+Node *Graph::find(const std::string &key) const {
+  for (auto [known, end] = known_.equal_range(key); known != end; ++known)
+    if (!isOperation(known->second) || !isRemade(known->second->guard, guard)) return known->second;
+  return nullptr;
 }
 
 // Without sharing, too, values that are no operations are there once: other parts compare or index by them.
 Node *Graph::make(Node n) {
   std::string key = keyOf(n);
-  auto known = known_.find(key);
-  if (known != known_.end() && (sharing || !isOperation(&n))) {
-    Node *old = known->second;
+  Node *old = sharing || !isOperation(&n) ? find(key) : nullptr;
+  if (old) {
     if (!covers(old->guard, guard)) old->guard = common(old->guard, guard);
     return old;
   }
@@ -130,7 +146,9 @@ Node *Graph::make(Node n) {
   for (const Node *arg : n.args) n.loop = deeper(n.loop, arg->loop);
   n.fixed = isFixed(n);
   n.guard = visible(guard, n.loop);
-  return known_[key] = &nodes_.emplace_back(std::move(n));
+  Node *made = &nodes_.emplace_back(std::move(n));
+  known_.emplace(std::move(key), made);
+  return made;
 }
 
 const Slot *Graph::slot(Slot s) {

@@ -36,8 +36,9 @@ struct Slot {
 
 // Conditions of the source under which a node is computed in the source, all of them together.
 struct Guard {
-  const Guard *outer; // null: none
-  Node *holds;        // the conjunction, outer's included
+  const Guard *outer;        // null: none
+  Node *holds;               // the conjunction, outer's included
+  const Guard *of = nullptr; // the guard that this is one of other values of; null: none
 };
 
 struct Node {
@@ -209,8 +210,8 @@ public:
     const Guard *guard_;
     Loc loc_;
   };
-  const Guard *under(const Guard *outer, Node *condition); // outer and condition
-  // The same conditions of other values: other(node) stands for each node.
+  const Guard *under(const Guard *outer, Node *condition, const Guard *of = nullptr); // outer and condition
+  // The same conditions of other values: other(node) stands for each node. An operation under both is a node under each.
   const Guard *remade(const Guard *of, const std::function<Node *(Node *)> &other);
   static bool covers(const Guard *outer, const Guard *inner); // whether inner holds only where outer does
 
@@ -231,6 +232,7 @@ public:
 
 private:
   Node *make(Node n);
+  Node *find(const std::string &key) const;
   static int rank(const Node *n);
   Node *scaledNode(const Scaled &s);
   Node *mergedSum(Node *a, Node *b);
@@ -242,7 +244,7 @@ private:
   bool joinSquares(std::vector<Scaled> &terms);
 
   std::deque<Node> nodes_;
-  std::unordered_map<std::string, Node *> known_;
+  std::unordered_multimap<std::string, Node *> known_;
   std::deque<Loop> loops_;
   std::deque<Array> arrays_;
   std::deque<Slot> slots_;
