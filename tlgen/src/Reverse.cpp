@@ -44,13 +44,36 @@ private:
     sum = sum ? graph_.add(sum, value) : value;
   }
 
-  // value is a part of the adjoint of a node of this region or one outside of it.
-  void contribute(Node *to, Node *value) {
+  // value is a part of the adjoint of a node of this region or one outside of it. Where the conditions that it was computed under do
+  // not hold it is no part. If it may be no number there, it is left out, or the node's adjoint is one under the node's own conditions
+  // only.
+  void contribute(Node *to, Node *value, const Guard *under = nullptr) {
     if (!isActive(to) || value->is(0)) return;
+    const bool ends = to->op == Node::Leaf || to->op == Node::Read || to->op == Node::Final; // goes where no conditions are known
+    const bool covered = Graph::covers(under, to->guard), fails = covered && under && mayFail(value);
+    if (!covered || (fails && ends))
+      value = graph_.select(at(under->holds), value, graph_.number(0));
+    else if (fails)
+      conditional_.insert(to);
     if (to->loop == region_->forward) return addTo(region_->adjoint, to, value);
     auto &sum = region_->sums[to->id];
     sum = {to, sum.second ? graph_.add(sum.second, value) : value};
   }
+
+  // Whether the value may be no number where conditions of the source do not hold.
+  bool mayFail(const Node *value) {
+    auto [known, isNew] = mayFail_.emplace(value, false); // no, for what comes back to itself
+    if (!isNew) return known->second;
+    static const std::set<Node::Op> functions = {Node::Math, Node::Recip, Node::Taylor, Node::Carried, Node::Final, Node::Read};
+    bool result = value->guard && functions.count(value->op);
+    for (const Node *arg : value->args) result = result || mayFail(arg);
+    if (value->op == Node::Read)
+      for (const Write &write : value->array->writes) result = result || mayFail(write.value);
+    return mayFail_[value] = result;
+  }
+
+  // The conditions that the node's adjoint was computed under; null: it is zero where there is none.
+  const Guard *conditions(Node *node) const { return conditional_.count(node) ? node->guard : nullptr; }
 
   // A value of the forward sweep as the backward loop sees it.
   Node *at(Node *node) { return tapes_.at(node, region_->at); }
@@ -131,15 +154,12 @@ private:
 
   void sweepOperation(Node *node, Node *adjoint) {
     Node *zero = graph_.number(0);
-    auto give = [&](Node *arg, Node *value) {
-      if (!Graph::covers(node->guard, arg->guard)) value = graph_.select(at(node->guard->holds), value, zero);
-      contribute(arg, value);
-    };
+    auto give = [&](Node *arg, Node *value) { contribute(arg, value, node->guard); };
     auto &args = node->args;
     switch (node->op) {
     case Node::Add:
-      contribute(args[0], adjoint);
-      contribute(args[1], adjoint);
+      contribute(args[0], adjoint, conditions(node));
+      contribute(args[1], adjoint, conditions(node));
       return;
     case Node::Mul:
       if (args[0] == args[1]) {
@@ -156,8 +176,8 @@ private:
     }
     case Node::Select: {
       Node *condition = at(args[0]);
-      contribute(args[1], graph_.select(condition, adjoint, zero));
-      contribute(args[2], graph_.select(condition, zero, adjoint));
+      contribute(args[1], graph_.select(condition, adjoint, zero), conditions(node));
+      contribute(args[2], graph_.select(condition, zero, adjoint), conditions(node));
       return;
     }
     default:
@@ -234,7 +254,11 @@ private:
     }
     region_ = outer;
     if (changing.size() != known) return false;
-    for (size_t k : active) contribute(loop->carried[k].init, changing.count(k) ? graph_.final(inner.backward, in[k]->which) : in[k]);
+    for (size_t k : active) {
+      const Carry &carry = loop->carried[k];
+      Node *adjoint = changing.count(k) ? graph_.final(inner.backward, in[k]->which) : in[k];
+      contribute(carry.init, adjoint, conditions(carry.in));
+    }
     for (auto &[id, sum] : inner.sums) {
       Node *carried = graph_.carry(inner.backward, graph_.number(0));
       graph_.setOut(carried, graph_.add(carried, sum.second));
@@ -255,6 +279,8 @@ private:
   Needed needed_;
   Varied varied_;
   Region *region_ = nullptr;
+  std::unordered_map<const Node *, bool> mayFail_;
+  std::set<const Node *> conditional_;                          // nodes with an adjoint that may be no number without their conditions
   std::map<std::pair<Array *, Loop *>, Array *> arrayAdjoints_; // by the loop in which they are filled
   Tapes tapes_;
   std::unordered_map<Node *, std::vector<std::pair<Array *, const Write *>>> writes_;

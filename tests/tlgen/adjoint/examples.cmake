@@ -2,6 +2,7 @@ add_adjoint(powers FOLDER ${CMAKE_CURRENT_SOURCE_DIR} SOURCES powers.c LAGRANGIA
   PARAMS "&(struct powers){4, 2.0, 4.5, -3.0, 1.75}")
 add_adjoint(partial_sums FOLDER ${CMAKE_CURRENT_SOURCE_DIR} SOURCES partial_sums.c LAGRANGIAN partial_sums DOF 6)
 add_adjoint(last_values FOLDER ${CMAKE_CURRENT_SOURCE_DIR} SOURCES last_values.c LAGRANGIAN last_values DOF 6)
+add_adjoint(decided_by_sums FOLDER ${CMAKE_CURRENT_SOURCE_DIR} SOURCES decided_by_sums.c LAGRANGIAN decided_by_sums DOF 6)
 add_adjoint(logistic FOLDER ${CMAKE_CURRENT_SOURCE_DIR} SOURCES logistic.c LAGRANGIAN logistic DOF 2)
 foreach(by IN ITEMS mass shape)
   add_adjoint(gamma_spring_by_${by} FOLDER ${CMAKE_CURRENT_SOURCE_DIR} SOURCES gamma_spring.c LAGRANGIAN gamma_spring_lagrangian DOF 1
