@@ -1,16 +1,27 @@
 /* Blocks: products of homogeneous parts, and the recurrences that several functions share. */
 #include "block.h"
+#include "taylor/kernel.h"
 
+/* Blocks of one number are those of a jet along a curve, and many: they take no loop. */
 void tl_row_zero(int n, tl_real *c) {
-  for (int i = 0; i < n; i++) c[i] = TL_C(0.0);
+  if (n == 1)
+    *c = TL_C(0.0);
+  else
+    for (int i = 0; i < n; i++) c[i] = TL_C(0.0);
 }
 
 void tl_row_scale(int n, tl_real *c, tl_real x) {
-  for (int i = 0; i < n; i++) c[i] *= x;
+  if (n == 1)
+    *c *= x;
+  else
+    for (int i = 0; i < n; i++) c[i] *= x;
 }
 
 void tl_row_divide(int n, tl_real *c, tl_real d) {
-  for (int i = 0; i < n; i++) c[i] /= d;
+  if (n == 1)
+    *c /= d;
+  else
+    for (int i = 0; i < n; i++) c[i] /= d;
 }
 
 /* Division by 1, 2 or 4 is exact multiplication by the reciprocal, several times faster. */
@@ -23,7 +34,10 @@ void tl_row_divide_weight(int n, tl_real *c, int w) {
 }
 
 void tl_row_add(int n, tl_real *restrict c, tl_real x, const tl_real *restrict a) {
-  for (int i = 0; i < n; i++) c[i] += x * a[i];
+  if (n == 1)
+    *c += x * *a;
+  else
+    for (int i = 0; i < n; i++) c[i] += x * a[i];
 }
 
 void tl_row_combine(int n, tl_real *c, tl_real x, const tl_real *a, tl_real y, const tl_real *b) {
@@ -40,46 +54,116 @@ static void add_outer(int n, tl_real *restrict c, tl_real x, const tl_real *a, c
   }
 }
 
-/* c += x * a (x) b through the places table[i*nb + j] of the products. */
-static void add_by_table(tl_real *restrict c, tl_real x, int na, const tl_real *a, int nb, const tl_real *b, const unsigned *table) {
-  for (int i = 0; i < na; i++, table += nb) {
-    const tl_real ai = x * a[i];
-    for (int j = 0; j < nb; j++) c[table[j]] += ai * b[j];
+/* The same for two blocks of order p > 1, whose products i and j, and j and i, have one place table[i*n + j]. */
+static void add_square_by_table(tl_real *restrict c, tl_real x, int n, const tl_real *a, const tl_real *b, const unsigned *table) {
+  for (int i = 0; i < n; i++, table += n) {
+    const tl_real ai = x * a[i], bi = x * b[i];
+    c[table[i]] += ai * b[i];
+    for (int j = i + 1; j < n; j++) c[table[j]] += ai * b[j] + bi * a[j];
   }
 }
 
-/* out += x * a (x) b for a block a of order p and a block b of order q. */
-static void add_product(const tl_shape *s, tl_real *out, tl_real x, const tl_real *a, int p, const tl_real *b, int q) {
-  if (p == 0)
-    tl_row_add(s->nhom[q], out, x * a[0], b);
-  else if (q == 0)
-    tl_row_add(s->nhom[p], out, x * b[0], a);
-  else if (p == 1 && q == 1)
-    add_outer(s->nvar, out, x, a, b);
-  else if (p <= q)
-    add_by_table(out, x, s->nhom[p], a, s->nhom[q], b, s->product[p][q]);
-  else
-    add_by_table(out, x, s->nhom[q], b, s->nhom[p], a, s->product[q][p]);
+/* Two products that go to the same places. */
+typedef struct pair {
+  int p, q;                      /* orders of their factors, p <= q */
+  tl_real x, y;                  /* x * low_a (x) high_b + y * low_b (x) high_a */
+  const tl_real *low_a, *high_b; /* blocks of order p and q */
+  const tl_real *low_b, *high_a;
+} pair;
+
+static void add_pair_by_table(tl_real *restrict c, const pair *t, int nlow, int nhigh, const unsigned *table) {
+  const tl_real *a = t->high_a, *b = t->high_b;
+  for (int i = 0; i < nlow; i++, table += nhigh) {
+    const tl_real ai = t->x * t->low_a[i], bi = t->y * t->low_b[i];
+    for (int j = 0; j < nhigh; j++) c[table[j]] += ai * b[j] + bi * a[j];
+  }
 }
+
+static void add_pair(const tl_shape *s, tl_real *out, const pair *t) {
+  if (t->q == 1) {
+    add_outer(s->nvar, out, t->x, t->low_a, t->high_b);
+    add_outer(s->nvar, out, t->y, t->low_b, t->high_a);
+  } else {
+    add_pair_by_table(out, t, s->nhom[t->p], s->nhom[t->q], s->product[t->p][t->q]);
+  }
+}
+
+/* A product of blocks of the same order and the same power of s. */
+static void add_square(const tl_shape *s, tl_real *out, tl_real x, int p, const tl_real *a, const tl_real *b) {
+  if (p == 1)
+    add_outer(s->nvar, out, x, a, b);
+  else
+    add_square_by_table(out, x, s->nhom[p], a, b, s->product[p][p]);
+}
+
+#if TL_VECTORS
+/* Adds the terms of four powers of s at a time from *i on, as long as there are four; a[*i ..] against g[k - *i ..] downwards. */
+static void add_curve_by_four(int k, int *i, tl_real *sum, tl_factor f, const tl_real *a, const tl_real *g) {
+  tl_v4 total = {TL_C(0.0)}, first = {TL_C(1.0), TL_C(2.0), TL_C(3.0), TL_C(4.0)}, second = (tl_real)k - first;
+  for (; *i + 4 <= k; *i += 4) {
+    const tl_v4 ahead = TL_V4_CONST(g + k - *i - 3), back = __builtin_shufflevector(ahead, ahead, 3, 2, 1, 0);
+    total += (f.z + f.u * first + f.v * second) * TL_V4_CONST(a + *i) * back;
+    first += TL_C(4.0);
+    second -= TL_C(4.0);
+  }
+  *sum += (total[0] + total[1]) + (total[2] + total[3]);
+}
+#endif
 
 /* The interior sum of a scalar block: plain convolution over the powers of s. */
 static void add_interior_curve(int k, tl_real *out, tl_factor f, const tl_real *a, const tl_real *g) {
-  tl_real sum = *out;
-  for (int i = 1; i < k; i++) sum += (f.z + f.u * (tl_real)i + f.v * (tl_real)(k - i)) * a[i] * g[k - i];
-  *out = sum;
+  tl_real sum = TL_C(0.0);
+  int i = 1;
+#if TL_VECTORS
+  if (k > 4) add_curve_by_four(k, &i, &sum, f, a, g);
+#endif
+  for (; i < k; i++) sum += (f.z + f.u * (tl_real)i + f.v * (tl_real)(k - i)) * a[i] * g[k - i];
+  *out += sum;
 }
 
+/* The terms with a scalar: out += sum over k > 0 of (z + u k + v (p+l)) a_k g_(p,l) and the other way round, l = b.k - k. */
+static void add_scalars(const tl_shape *s, tl_block b, tl_real *restrict out, tl_factor f, const tl_real *a, const tl_real *g) {
+  enum { AT_ONCE = 4 };
+  tl_real x[TL_MAX_CURVE + 1], y[TL_MAX_CURVE + 1];
+  const int n = b.n;
+  for (int k = 1; k <= b.k; k++) {
+    const tl_real low = (tl_real)k, high = (tl_real)(b.weight - k);
+    x[k] = (f.z + f.u * low + f.v * high) * a[k];
+    y[k] = (f.z + f.u * high + f.v * low) * g[k];
+  }
+  int i = 0;
+  for (; i + AT_ONCE <= n; i += AT_ONCE) {
+    const tl_real *ai = a + s->start[b.p] + i, *gi = g + s->start[b.p] + i;
+    tl_real sum[AT_ONCE];
+    for (int j = 0; j < AT_ONCE; j++) sum[j] = out[i + j];
+    for (int k = 1; k <= b.k; k++)
+      for (int j = 0; j < AT_ONCE; j++) sum[j] += x[k] * gi[(b.k - k) * n + j] + y[k] * ai[(b.k - k) * n + j];
+    for (int j = 0; j < AT_ONCE; j++) out[i + j] = sum[j];
+  }
+  for (; i < n; i++) {
+    const tl_real *ai = a + s->start[b.p] + i, *gi = g + s->start[b.p] + i;
+    for (int k = 1; k <= b.k; k++) out[i] += x[k] * gi[(b.k - k) * n] + y[k] * ai[(b.k - k) * n];
+  }
+}
+
+/* For each two blocks (p,k) and (q,l) that make up B, p <= q, both products: a's first with g's second, and the other way round. */
 void tl_add_interior(const tl_shape *s, tl_block b, tl_real *out, tl_factor f, const tl_real *a, const tl_real *g) {
   if (b.p == 0) {
     add_interior_curve(b.k, out, f, a, g);
     return;
   }
-  for (int p = 0; p <= b.p; p++) {
-    const int q = b.p - p;
-    for (int k = p == 0; k <= b.k - (q == 0); k++) {
-      const int l = b.k - k;
-      const tl_real x = f.z + f.u * (tl_real)(p + k) + f.v * (tl_real)(q + l);
-      add_product(s, out, x, a + s->start[p] + k * s->nhom[p], p, g + s->start[q] + l * s->nhom[q], q);
+  if (b.k > 0) add_scalars(s, b, out, f, a, g);
+  for (int p = 1; 2 * p <= b.p; p++) {
+    const int q = b.p - p, last = p == q ? b.k / 2 : b.k;
+    for (int k = 0; k <= last; k++) {
+      const int l = b.k - k, low = s->start[p] + k * s->nhom[p], high = s->start[q] + l * s->nhom[q];
+      const tl_real w1 = (tl_real)(p + k), w2 = (tl_real)(q + l);
+      const tl_real x = f.z + f.u * w1 + f.v * w2, y = f.z + f.u * w2 + f.v * w1;
+      if (p == q && k == l)
+        add_square(s, out, x, p, a + low, g + low);
+      else
+        add_pair(s, out,
+                 &(pair){.p = p, .q = q, .x = x, .y = y, .low_a = a + low, .high_b = g + high, .low_b = g + low, .high_a = a + high});
     }
   }
 }
@@ -123,8 +207,41 @@ tl_real tl_normaliser(tl_real x) {
   return TL_LIBM(ldexp)(TL_C(1.0), shift);
 }
 
+/* Along a curve a recurrence adds what a coefficient contributes to all later ones as soon as it is known: unlike a sum over all
+ * earlier ones that is a loop over numbers beside each other, and nothing waits for its last term. Until then c holds such sums. */
+
+/* k c_k = u sum_{i>0} i a_i c_(k-i). */
+static void exp_curve(int n, tl_real *c, tl_real u, const tl_real *a) {
+  tl_real slope[TL_MAX_CURVE + 1];
+  const tl_real first = u * c[0];
+  for (int i = 1; i < n; i++) {
+    slope[i] = u * (tl_real)i * a[i];
+    c[i] = TL_C(0.0);
+  }
+  for (int k = 1; k < n; k++) {
+    c[k] = c[k] / (tl_real)k + first * a[k];
+    const tl_real x = c[k];
+    for (int i = 1; i < n - k; i++) c[k + i] += x * slope[i];
+  }
+}
+
+/* k q a_0 c_k = sum_{i>0} (p i - q (k-i)) a_i c_(k-i). */
+static void power_curve(int n, tl_real *c, tl_real p, tl_real q, const tl_real *a) {
+  for (int i = 1; i < n; i++) c[i] = TL_C(0.0);
+  for (int k = 0; k < n; k++) {
+    if (k > 0) c[k] /= q * (tl_real)k * a[0];
+    const tl_real x = c[k], qk = q * (tl_real)k;
+    for (int i = 1; i < n - k; i++) c[k + i] += (p * (tl_real)i - qk) * x * a[i];
+  }
+}
+
 /* |B| c_B = u sum_{B1>0} |B1| a_B1 c_B2; the term B1 = B is taken out of the sum, so that it is not rounded by the weight. */
-void tl_exp_blocks(const tl_shape *s, tl_real *c, tl_real u, const tl_real *a) { tl_integral_blocks(s, c, u, c, a); }
+void tl_exp_blocks(const tl_shape *s, tl_real *c, tl_real u, const tl_real *a) {
+  if (s->order == 0)
+    exp_curve(s->ncoef, c, u, a);
+  else
+    tl_integral_blocks(s, c, u, c, a);
+}
 
 /* |B| c_B = x sum_{B1>0} |B1| a_B1 g_B2; g may be c because only blocks of g below B enter. */
 void tl_integral_blocks(const tl_shape *s, tl_real *c, tl_real x, const tl_real *g, const tl_real *a) {
@@ -140,6 +257,10 @@ void tl_integral_blocks(const tl_shape *s, tl_real *c, tl_real x, const tl_real 
 
 /* |B| q a_0 c_B = sum_{B1>0} (p|B1| - q|B2|) a_B1 c_B2. */
 void tl_power_blocks(const tl_shape *s, tl_real *c, tl_real p, tl_real q, const tl_real *a) {
+  if (s->order == 0) {
+    power_curve(s->ncoef, c, p, q, a);
+    return;
+  }
   for (tl_block b = tl_first_block(s); b.n; b = tl_next_block(s, b)) {
     const tl_real w = (tl_real)b.weight;
     tl_real *cB = c + b.at;
@@ -171,9 +292,30 @@ void tl_square_blocks(const tl_shape *s, tl_real *c, tl_real x, const tl_real *a
   }
 }
 
+/* c_k = sum_i a_i b_(k-i) for jets along a curve, some powers at a time: b is read from behind zeros. */
+static void convolve(int n, tl_real *c, const tl_real *a, const tl_real *b) {
+  enum { AT_ONCE = 8, ZEROS = AT_ONCE - 1 };
+  tl_real padded[ZEROS + TL_MAX_CURVE + AT_ONCE] = {TL_C(0.0)}, factor[TL_MAX_CURVE + 1], sum[AT_ONCE];
+  for (int i = 0; i < n; i++) {
+    padded[ZEROS + i] = b[i];
+    factor[i] = a[i];
+  }
+  for (int k = 0; k < n; k += AT_ONCE) {
+    const int top = k + AT_ONCE < n ? k + AT_ONCE : n;
+    for (int j = 0; j < AT_ONCE; j++) sum[j] = TL_C(0.0);
+    for (int i = 0; i < top; i++)
+      for (int j = 0; j < AT_ONCE; j++) sum[j] += factor[i] * padded[ZEROS + k - i + j];
+    for (int j = 0; k + j < top; j++) c[k + j] = sum[j];
+  }
+}
+
 /* c_B = a_0 b_B + b_0 a_B + sum_{B1,B2>0} a_B1 b_B2. Descending order: a block of the product needs no higher block of the operands,
  * so that c may be an operand. */
 void tl_product_blocks(const tl_shape *s, tl_real *c, const tl_real *a, const tl_real *b) {
+  if (s->order == 0) {
+    convolve(s->ncoef, c, a, b);
+    return;
+  }
   for (int p = s->order; p >= 0; p--)
     for (int k = s->curve; k >= 0 && p + k > 0; k--) {
       const tl_block B = tl_make_block(s, p, k);
