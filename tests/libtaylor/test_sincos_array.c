@@ -11,7 +11,7 @@
 
 enum { LONGEST = 21, REFERENCE_BITS = 160, DIGITS = sizeof(tl_real) == sizeof(float) ? FLT_MANT_DIG : DBL_MANT_DIG };
 
-static const double BOUND = 1.5; /* ulp, as the header says */
+static const double BOUND = 1.1; /* ulp, as the header says */
 
 static int points = 20000;
 

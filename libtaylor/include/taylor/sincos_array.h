@@ -2,8 +2,9 @@
  *
  * With k the integer nearest to 2x/pi and r = x - k pi/2, |r| <= pi/4, sin x and cos x are +-sin r and +-cos r, or the other way round
  * where k is odd. sin r and cos r are fdlibm's polynomials of degree 13 and 14. pi/2 is the sum of some numbers whose products with k
- * are exact but for the last: by their few digits, or because the processor rounds x - k p once. So are the first differences, and r is
- * right to a unit in its last place. Larger arguments than that allows go to the C library, and so does what is no number. */
+ * are exact but for the last: by their few digits, or because the processor rounds x - k p once. So are the first differences, and what
+ * the rounding of r leaves over is known and goes into both results. Larger arguments than that allows go to the C library, and so does
+ * what is no number. */
 #ifndef TAYLOR_SINCOS_ARRAY_H
 #define TAYLOR_SINCOS_ARRAY_H
 
@@ -64,7 +65,7 @@ TL_INLINE void tl_sincos_some(int count, const tl_real *x, tl_real *s, tl_real *
 
 #endif
 
-/* s[i] = sin x[i], c[i] = cos x[i] for i < n, each within 1.5 ulp; where x[i] is infinite or no number, neither is the result. s and c
+/* s[i] = sin x[i], c[i] = cos x[i] for i < n, each within 1.1 ulp; where x[i] is infinite or no number, neither is the result. s and c
  * may be x, not each other. A number's result does not depend on its place in the array, nor on the others. */
 TL_INLINE void tl_sincos_array(int n, const tl_real *x, tl_real *s, tl_real *c) {
 #if TL_VECTORS && !defined(TL_REAL_FLOAT)
