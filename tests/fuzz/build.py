@@ -14,7 +14,7 @@ CONFIGURATIONS = {
     "gcc-sanitize": ["gcc", "-O1", "-g", "-fsanitize=address,undefined", "-fno-sanitize-recover=all"],
 }
 # What motion functions are printed with: by turns.
-VARIANTS = ["", "--form registers", "--form rows"]
+VARIANTS = ["", "--form registers --lanes", "--form rows"]
 # The programs compute things that nobody uses, and compare numbers with themselves: so does what is made of them.
 SENSELESS = ["unused-but-set-variable", "self-assign", "tautological-compare", "array-bounds"]
 WARNINGS = ["-std=c11", "-Wall", "-Wextra", "-Wconversion", "-Werror", *(f"-Wno-{name}" for name in SENSELESS)]
