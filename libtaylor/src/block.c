@@ -207,11 +207,11 @@ tl_real tl_normaliser(tl_real x) {
   return TL_LIBM(ldexp)(TL_C(1.0), shift);
 }
 
-/* Along a curve a recurrence adds what a coefficient contributes to all later ones as soon as it is known: unlike a sum over all
- * earlier ones that is a loop over numbers beside each other, and nothing waits for its last term. Until then c holds such sums. */
+/* In a univariate series a recurrence adds what a coefficient contributes to all later ones as soon as it is known: unlike a sum over
+ * all earlier ones that is a loop over numbers beside each other, and nothing waits for its last term. Until then c holds such sums. */
 
 /* k c_k = u sum_{i>0} i a_i c_(k-i). */
-static void exp_curve(int n, tl_real *c, tl_real u, const tl_real *a) {
+static void exp_series(int n, tl_real *c, tl_real u, const tl_real *a) {
   tl_real slope[TL_MAX_CURVE + 1];
   const tl_real first = u * c[0];
   for (int i = 1; i < n; i++) {
@@ -225,8 +225,44 @@ static void exp_curve(int n, tl_real *c, tl_real u, const tl_real *a) {
   }
 }
 
+/* The same for E s = c E a, E c = sign s E a; the terms with s_0 and c_0 are taken out of the sums, as in tl_exp_blocks. */
+static void circle_series(int n, tl_real *sine, tl_real *cosine, tl_real sign, const tl_real *a) {
+  tl_real slope[TL_MAX_CURVE + 1];
+  for (int i = 1; i < n; i++) {
+    slope[i] = (tl_real)i * a[i];
+    sine[i] = cosine[i] = TL_C(0.0);
+  }
+  for (int k = 1; k < n; k++) {
+    const tl_real s = sine[k] / (tl_real)k + cosine[0] * a[k], c = sign * (cosine[k] / (tl_real)k + sine[0] * a[k]);
+    sine[k] = s;
+    cosine[k] = c;
+    for (int i = 1; i < n - k; i++) {
+      sine[k + i] += c * slope[i];
+      cosine[k + i] += s * slope[i];
+    }
+  }
+}
+
+void tl_circle_blocks(const tl_shape *s, tl_real *sine, tl_real *cosine, tl_real sign, const tl_real *a) {
+  if (tl_is_series(s)) {
+    circle_series(s->ncoef, sine, cosine, sign, a);
+    return;
+  }
+  for (tl_block b = tl_first_block(s); b.n; b = tl_next_block(s, b)) {
+    tl_real *sB = sine + b.at, *cB = cosine + b.at;
+    tl_row_zero(b.n, sB);
+    tl_row_zero(b.n, cB);
+    tl_add_interior(s, b, sB, (tl_factor){.u = TL_C(1.0)}, a, cosine);
+    tl_add_interior(s, b, cB, (tl_factor){.u = sign}, a, sine);
+    tl_row_divide_weight(b.n, sB, b.weight);
+    tl_row_divide_weight(b.n, cB, b.weight);
+    tl_row_add(b.n, sB, cosine[0], a + b.at);
+    tl_row_add(b.n, cB, sign * sine[0], a + b.at);
+  }
+}
+
 /* k q a_0 c_k = sum_{i>0} (p i - q (k-i)) a_i c_(k-i). */
-static void power_curve(int n, tl_real *c, tl_real p, tl_real q, const tl_real *a) {
+static void power_series(int n, tl_real *c, tl_real p, tl_real q, const tl_real *a) {
   for (int i = 1; i < n; i++) c[i] = TL_C(0.0);
   for (int k = 0; k < n; k++) {
     if (k > 0) c[k] /= q * (tl_real)k * a[0];
@@ -237,8 +273,8 @@ static void power_curve(int n, tl_real *c, tl_real p, tl_real q, const tl_real *
 
 /* |B| c_B = u sum_{B1>0} |B1| a_B1 c_B2; the term B1 = B is taken out of the sum, so that it is not rounded by the weight. */
 void tl_exp_blocks(const tl_shape *s, tl_real *c, tl_real u, const tl_real *a) {
-  if (s->order == 0)
-    exp_curve(s->ncoef, c, u, a);
+  if (tl_is_series(s))
+    exp_series(s->ncoef, c, u, a);
   else
     tl_integral_blocks(s, c, u, c, a);
 }
@@ -257,8 +293,8 @@ void tl_integral_blocks(const tl_shape *s, tl_real *c, tl_real x, const tl_real 
 
 /* |B| q a_0 c_B = sum_{B1>0} (p|B1| - q|B2|) a_B1 c_B2. */
 void tl_power_blocks(const tl_shape *s, tl_real *c, tl_real p, tl_real q, const tl_real *a) {
-  if (s->order == 0) {
-    power_curve(s->ncoef, c, p, q, a);
+  if (tl_is_series(s)) {
+    power_series(s->ncoef, c, p, q, a);
     return;
   }
   for (tl_block b = tl_first_block(s); b.n; b = tl_next_block(s, b)) {
@@ -292,7 +328,7 @@ void tl_square_blocks(const tl_shape *s, tl_real *c, tl_real x, const tl_real *a
   }
 }
 
-/* c_k = sum_i a_i b_(k-i) for jets along a curve, some powers at a time: b is read from behind zeros. */
+/* c_k = sum_i a_i b_(k-i) for univariate series, some powers at a time: b is read from behind zeros. */
 static void convolve(int n, tl_real *c, const tl_real *a, const tl_real *b) {
   enum { AT_ONCE = 8, ZEROS = AT_ONCE - 1 };
   tl_real padded[ZEROS + TL_MAX_CURVE + AT_ONCE] = {TL_C(0.0)}, factor[TL_MAX_CURVE + 1], sum[AT_ONCE];
@@ -312,7 +348,7 @@ static void convolve(int n, tl_real *c, const tl_real *a, const tl_real *b) {
 /* c_B = a_0 b_B + b_0 a_B + sum_{B1,B2>0} a_B1 b_B2. Descending order: a block of the product needs no higher block of the operands,
  * so that c may be an operand. */
 void tl_product_blocks(const tl_shape *s, tl_real *c, const tl_real *a, const tl_real *b) {
-  if (s->order == 0) {
+  if (tl_is_series(s)) {
     convolve(s->ncoef, c, a, b);
     return;
   }

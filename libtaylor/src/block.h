@@ -10,6 +10,9 @@
 
 #include <assert.h>
 
+/* True for shapes that have one monomial of each degree: a curve, and one variable. Their jets are plain univariate series. */
+static inline int tl_is_series(const tl_shape *s) { return s->ncoef == s->degree + 1; }
+
 /* One block: its monomials stand at jet[at .. at+n-1]. */
 typedef struct tl_block {
   int p, k; /* order in t, power of s */
@@ -74,6 +77,7 @@ tl_real tl_normaliser(tl_real x);
  *
  *   tl_exp_blocks        E c = u c E a             c may not be a
  *   tl_integral_blocks   E c = x g E a             c may not be a or g
+ *   tl_circle_blocks     E s = c E a, E c = sign s E a       a may be neither s nor c
  *   tl_power_blocks      q a E c = p c E a         c = constant * a^(p/q); c may not be a; a[0] not 0
  *   tl_log_blocks        a E c = rate E a                           c may not be a; a[0] not 0
  *   tl_product_blocks    c = a b                   without the value; c may be a or b
@@ -84,6 +88,7 @@ tl_real tl_normaliser(tl_real x);
  *                        uses scratch jets 0..nargs-1, which args may not be; c may be any of args */
 void tl_exp_blocks(const tl_shape *s, tl_real *c, tl_real u, const tl_real *a);
 void tl_integral_blocks(const tl_shape *s, tl_real *c, tl_real x, const tl_real *g, const tl_real *a);
+void tl_circle_blocks(const tl_shape *s, tl_real *sine, tl_real *cosine, tl_real sign, const tl_real *a);
 void tl_power_blocks(const tl_shape *s, tl_real *c, tl_real p, tl_real q, const tl_real *a);
 void tl_log_blocks(const tl_shape *s, tl_real *c, tl_real rate, const tl_real *a);
 void tl_product_blocks(const tl_shape *s, tl_real *c, const tl_real *a, const tl_real *b);

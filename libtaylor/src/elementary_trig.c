@@ -3,25 +3,10 @@
 #include "taylor/elementary.h"
 #include "wide.h"
 
-/* E s = c E a,  E c = sign s E a, from s_0 and c_0. a may be neither s nor c. */
-static void circle_blocks(const tl_shape *s, tl_real *sine, tl_real *cosine, tl_real sign, const tl_real *a) {
-  for (tl_block b = tl_first_block(s); b.n; b = tl_next_block(s, b)) {
-    tl_real *sB = sine + b.at, *cB = cosine + b.at;
-    tl_row_zero(b.n, sB);
-    tl_row_zero(b.n, cB);
-    tl_add_interior(s, b, sB, (tl_factor){.u = TL_C(1.0)}, a, cosine);
-    tl_add_interior(s, b, cB, (tl_factor){.u = sign}, a, sine);
-    tl_row_divide_weight(b.n, sB, b.weight);
-    tl_row_divide_weight(b.n, cB, b.weight);
-    tl_row_add(b.n, sB, cosine[0], a + b.at);
-    tl_row_add(b.n, cB, sign * sine[0], a + b.at);
-  }
-}
-
 static void trigonometric(tl_ctx *cx, tl_real *sine, tl_real *cosine, const tl_real *a) {
   sine[0] = TL_LIBM(sin)(a[0]);
   cosine[0] = TL_LIBM(cos)(a[0]);
-  circle_blocks(cx->shape, sine, cosine, -TL_C(1.0), a);
+  tl_circle_blocks(cx->shape, sine, cosine, -TL_C(1.0), a);
 }
 
 void tl_sin(tl_ctx *cx, tl_real *c, const tl_real *a) {
@@ -134,7 +119,7 @@ static void hyperbolic(tl_ctx *cx, tl_real *sine, tl_real *cosine, const tl_real
   const int large = c > TL_MAX / TL_HEADROOM && TL_ISFINITE(c); /* the recurrence takes multiples of them */
   sine[0] = large ? s / TL_HEADROOM : s;
   cosine[0] = large ? c / TL_HEADROOM : c;
-  circle_blocks(cx->shape, sine, cosine, TL_C(1.0), a);
+  tl_circle_blocks(cx->shape, sine, cosine, TL_C(1.0), a);
   if (!large) return;
   tl_row_scale(cx->shape->ncoef, sine, TL_HEADROOM);
   tl_row_scale(cx->shape->ncoef, cosine, TL_HEADROOM);

@@ -93,8 +93,8 @@ void tl_muladd(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
   tl_check(cx, c, TL_FN_mul);
 }
 
-/* The same for jets along a curve; what a coefficient takes from later ones is taken as soon as it is known. */
-static void divide_curve(int n, tl_real *c, const tl_real *a, const tl_real *b) {
+/* The same for univariate series; what a coefficient takes from later ones is taken as soon as it is known. */
+static void divide_series(int n, tl_real *c, const tl_real *a, const tl_real *b) {
   for (int i = 1; i < n; i++) c[i] = a[i];
   for (int k = 0; k < n; k++) {
     if (k > 0) c[k] /= b[0];
@@ -106,8 +106,8 @@ static void divide_curve(int n, tl_real *c, const tl_real *a, const tl_real *b) 
 /* b_0 c_B = a_B - sum_{B2>0} c_B1 b_B2, from c_0 = a_0/b_0. c may be a, whose blocks are each read once, just before c's is written;
  * c may not be b. */
 static void divide_blocks(const tl_shape *s, tl_real *c, const tl_real *a, const tl_real *b) {
-  if (s->order == 0) {
-    divide_curve(s->ncoef, c, a, b);
+  if (tl_is_series(s)) {
+    divide_series(s->ncoef, c, a, b);
     return;
   }
   for (tl_block B = tl_first_block(s); B.n; B = tl_next_block(s, B)) {
