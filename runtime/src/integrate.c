@@ -84,9 +84,10 @@ static eom_status step(eom_integrator *it, tl_real h, tl_real t_new) {
   }
   if (!m->fsal) combine(it, h, m->b, m->stages);
   if (!all_finite(it->trial, it->dim)) return EOM_NOT_FINITE;
+  if (it->correct && (it->rhs_code = it->correct(it->user, t_new, it->trial)) != 0) return EOM_RHS_FAILED;
   memcpy(it->y, it->trial, d * sizeof(tl_real));
-  if (m->fsal) memcpy(it->stage, it->stage + (size_t)(m->stages - 1) * d, d * sizeof(tl_real));
-  it->first_known = m->fsal;
+  it->first_known = m->fsal && !it->correct;
+  if (it->first_known) memcpy(it->stage, it->stage + (size_t)(m->stages - 1) * d, d * sizeof(tl_real));
   it->t = t_new;
   return EOM_OK;
 }

@@ -95,6 +95,8 @@ static void take_private(eom_system *sys, eom_workspace *ws, eom_arena *a) {
   ws->r2 = eom_arena_reals(a, m);
   ws->dq = eom_arena_reals(a, n);
   ws->dl = eom_arena_reals(a, m);
+  ws->was = eom_arena_reals(a, 2 * n);
+  ws->miss = eom_arena_reals(a, m);
   if (sys->options.needs & (EOM_NEED_LINEARISE | EOM_NEED_TANGENT | EOM_NEED_PARAMETERS)) {
     const size_t vectors = ws->emitter[EOM_TASK_LINEARISE] == EOM_EMITTER_CALLS ? 2 * n : 1;
     ws->rhs1 = eom_arena_reals(a, vectors * n);

@@ -79,6 +79,7 @@ struct eom_workspace {
   tl_real *b_size;      /* m: size of the terms that cancel in b */
   tl_real *r1, *r2;     /* n, m: residuals of the equations */
   tl_real *dq, *dl;     /* n, m: corrections */
+  tl_real *was, *miss;  /* 2n, m: the state and the rows of a projection */
   tl_real *rhs1, *rhs2; /* right-hand sides of n, of m: 2n of them where calls linearise, else one; null where none are solved for */
   tl_real *sol1, *sol2; /* n, m: a solution */
   eom_lanes lanes;      /* likewise */

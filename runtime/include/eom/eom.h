@@ -6,6 +6,7 @@
 #include "eom/integrate.h"
 #include "eom/linearise.h"
 #include "eom/lyapunov.h"
+#include "eom/project.h"
 #include "eom/solve.h"
 #include "eom/system.h"
 #include "eom/tangent.h"

@@ -25,10 +25,14 @@ extern const eom_method eom_dp5; /* Dormand and Prince 5, seven stages, the last
 /* The method of that name, or null. */
 const eom_method *eom_method_find(const char *name);
 
+/* Changes the new state of a step, as eom_project_state does. Returns 0, or any other number to refuse the step. */
+typedef int eom_correct_fn(void *user, tl_real t, tl_real *y);
+
 typedef struct eom_integrator {
   const eom_method *method;
   eom_rhs_fn *rhs;
   void *user;
+  eom_correct_fn *correct; /* with the same user, after each step; null: none. To be set after eom_integrator_init */
   int dim;
   tl_real h;        /* step, s; positive or negative */
   tl_real t0;       /* time of step 0; t = t0 + steps*h without accumulated rounding */
@@ -36,7 +40,7 @@ typedef struct eom_integrator {
   tl_real *y;       /* dim: state now */
   long steps;       /* since t0 */
   long evaluations; /* of rhs */
-  int rhs_code;     /* what rhs returned at a failure */
+  int rhs_code;     /* what rhs or correct returned at a failure */
   int first_known;  /* 1 where stage 0 already holds f(t,y) */
   tl_real *stage;   /* stages x dim */
   tl_real *trial;   /* dim */

@@ -20,6 +20,7 @@ extern "C" {
   X(NOT_FINITE, "a number is not finite")                                                                                              \
   X(NO_INERTIA, "the mass matrix is not positive definite on the motions that the constraints allow")                                  \
   X(INCONSISTENT, "constraints contradict each other")                                                                                 \
+  X(NO_CONSISTENT_STATE, "no state that satisfies the constraints was found near this one")                                            \
   X(NOT_INVERSE, "the two coordinate transformations are not inverse to each other")                                                   \
   X(RHS_FAILED, "the right-hand side reported a failure of its own")                                                                   \
   X(STOPPED, "the observer asked to stop")

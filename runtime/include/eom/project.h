@@ -1,0 +1,35 @@
+/* Consistent states: coordinates and velocities brought onto the constraints by the least change in the mass metric. After a step this
+ * takes away what integration has left over (drift); before a run it makes initial values consistent. */
+#ifndef EOM_PROJECT_H
+#define EOM_PROJECT_H
+
+#include "eom/system.h"
+
+#ifdef __cplusplus
+extern "C" {
+#endif
+
+/* What may change, and what did. */
+typedef struct eom_projection {
+  const unsigned char *keep_q, *keep_qd; /* n flags each: 1 for a coordinate, or velocity, that stays as it is; null: none */
+  /* filled */
+  int steps_q, steps_qd;       /* of Newton's method */
+  tl_real change_q, change_qd; /* the largest change of a coordinate and of a velocity, */
+  int most_q, most_qd;         /* and whose; -1 where nothing changed */
+} eom_projection;
+
+/* Moves q until phi(q,t) = 0, then qd until phi_dot = 0 and psi(q,qd,t) = 0, to rounding: each Newton step is the shortest one in the
+ * mass metric, delta' M delta, that satisfies the linearised rows. Dependent rows that agree are no difficulty. q, qd: n, changed in
+ * place, and as they were where the status is not EOM_OK. projection may be null. Leaves the fields of assemble and of solve
+ * unspecified. INCONSISTENT where rows contradict each other, or what is kept leaves no state that satisfies them (report.row: the rows
+ * that miss); NO_CONSISTENT_STATE where Newton's method does not get there; NO_INERTIA; errors of eom_assemble. */
+eom_status eom_project(eom_system *sys, tl_real *q, tl_real *qd, tl_real t, eom_projection *projection);
+
+/* The same for y = (q,qd): 2n, as what an eom_integrator does after each step; user is the eom_system. Returns an eom_status. */
+int eom_project_state(void *user, tl_real t, tl_real *y);
+
+#ifdef __cplusplus
+}
+#endif
+
+#endif
