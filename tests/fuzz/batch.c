@@ -13,6 +13,7 @@ static int child(const fuzz_program *p) {
   const struct rlimit limit = {SECONDS, SECONDS};
   char *arguments[] = {p->name, p->params, NULL};
   setrlimit(RLIMIT_CPU, &limit);
+  p->rounded(2, arguments);
   const int status = p->run(2, arguments);
   fflush(stdout);
   return status;

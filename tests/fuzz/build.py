@@ -20,6 +20,10 @@ SENSELESS = ["unused-but-set-variable", "self-assign", "tautological-compare", "
 WARNINGS = ["-std=c11", "-Wall", "-Wextra", "-Wconversion", "-Werror", *(f"-Wno-{name}" for name in SENSELESS)]
 # How the plain C in quad precision is compiled: a call in each basic block.
 FOLLOWED = ["gcc", "-w", "-O0", "-fsanitize-coverage=trace-pc"]
+# The same in double.
+ROUNDED = ["-D__float128=double", "-DTLGEN_QUAD_H", "-Dtlgen_selftest_main=fuzz_keep_rounded"]
+# Functions of a model, at most.
+FUNCTIONS = 6
 # Of the processor's time, for one program: what takes longer has gone astray.
 SECONDS_TO_GENERATE = 10
 SECONDS_TO_COMPILE = 60
@@ -132,8 +136,14 @@ class Builder:
         large = self.size(program, folder) > LARGE
         return [flag if not (large and re.fullmatch("-O[123]", flag)) else "-O0" for flag in CONFIGURATIONS[configuration]]
 
+    @staticmethod
+    def rounded(name):
+        """How the printed test is compiled in double, with other names for what it has in common with the one in quad precision."""
+        names = [f"-D{name}_quad_{k}={name}_rounded_{k}" for k in range(1, FUNCTIONS + 1)]
+        return [*ROUNDED, *names, f"-D{name}_params={name}_rounded_params", f"-Dmain={name}_rounded"]
+
     def compile(self, programs, folder, configuration, results):
-        """Objects of those that compile: generated code, and the plain C in quad precision with its path followed."""
+        """Objects of those that compile: generated code, and the plain C in quad precision and in double with its path followed."""
         compiled, objects = [], []
         for p in programs:
             if self.spoiled:
@@ -143,20 +153,21 @@ class Builder:
             compiler = [*self.compiler(p, folder, configuration), *WARNINGS, *self.includes]
             generated = run([*compiler, "-c", f"{p.name}_tl.c"], folder, SECONDS_TO_COMPILE)
             plain = run([*FOLLOWED, f"-Dmain={p.name}_test", *self.includes, "-c", f"{p.name}_selftest.c"], folder)
-            for done in (generated, plain):
+            rounded = run([*FOLLOWED, *self.rounded(p.name), *self.includes, "-c", f"{p.name}_selftest.c", "-o", f"{p.name}_rounded.o"], folder)
+            for done in (generated, plain, rounded):
                 if done.returncode != 0:
                     results[p.name].fault("compiler", first_error(done))
                     break
             else:
                 compiled.append(p)
-                objects += [f"{p.name}_tl.o", f"{p.name}_selftest.o"]
+                objects += [f"{p.name}_tl.o", f"{p.name}_selftest.o", f"{p.name}_rounded.o"]
         return compiled, objects
 
     def batch_source(self, programs):
         """The C file that lists the programs."""
         out = ["/* A batch of random programs. */", '#include "batch.h"', ""]
-        out += [f"int {p.name}_test(int, char **);" for p in programs]
-        rows = [f'    {{{p.name}_test, "{p.name}", "{p.params}"}},' for p in programs]
+        out += [f"int {p.name}_test(int, char **), {p.name}_rounded(int, char **);" for p in programs]
+        rows = [f'    {{{p.name}_test, {p.name}_rounded, "{p.name}", "{p.params}"}},' for p in programs]
         return "\n".join(out + ["", "int main(void) {", "  static const fuzz_program programs[] = {", *rows, "  };",
                                 f"  return fuzz_batch(programs, {len(programs)});", "}", ""])
 

@@ -5,7 +5,7 @@
  * program's name, the text of its parameters and the numbers of the parameters by which a derivative is wanted. */
 #include "contender.h"
 #include "random.h"
-#include "reference.h"
+#include "rounding.h"
 
 #include "eom/motion.h"
 
@@ -30,7 +30,7 @@ enum { CONTENDERS = sizeof contenders / sizeof *contenders };
 typedef struct outcome {
   const char *program;
   int points, solved; /* compared; and of these with accelerations */
-  int rough, too_large, faults;
+  int rough, too_large, rounded, faults;
   int motions, parameters;                    /* whether there are motion functions; and parameters of derivatives */
   double error[CONTENDERS][FUZZ_GROUP_COUNT]; /* negative where never compared */
 } outcome;
@@ -86,25 +86,33 @@ static int both_have(const fuzz_numbers *actual, const fuzz_numbers *expected, i
   return actual->group[group] && expected->group[group] && fuzz_group_size(&expected->sizes, group);
 }
 
-static int agrees(const fuzz_numbers *actual, const fuzz_numbers *expected, const double *scale) {
+/* What numbers are held against, what their errors are relative to, and how large these may be. */
+typedef struct expectation {
+  fuzz_numbers numbers;
+  double scale[FUZZ_GROUP_COUNT], limit[FUZZ_GROUP_COUNT];
+} expectation;
+
+static int agrees(const fuzz_numbers *actual, const expectation *expected) {
   for (int g = 0; g < FUZZ_GROUP_COUNT; g++) {
-    if (!both_have(actual, expected, g)) continue;
-    const int i = worst(actual, expected, g, scale[g]);
-    if (!(error_of(actual->group[g][i], expected->group[g][i], scale[g]) <= RTOL)) return 0;
+    const fuzz_numbers *const e = &expected->numbers;
+    if (!both_have(actual, e, g)) continue;
+    const int i = worst(actual, e, g, expected->scale[g]);
+    if (!(error_of(actual->group[g][i], e->group[g][i], expected->scale[g]) <= expected->limit[g])) return 0;
   }
   return 1;
 }
 
-static void note(outcome *o, int way, const fuzz_numbers *actual, const fuzz_numbers *expected, const double *scale) {
+static void note(outcome *o, int way, const fuzz_numbers *actual, const expectation *expected) {
   char text[200];
   for (int g = 0; g < FUZZ_GROUP_COUNT; g++) {
-    if (!both_have(actual, expected, g)) continue;
-    const int i = worst(actual, expected, g, scale[g]), columns = fuzz_group_columns(&expected->sizes, g);
-    const double a = actual->group[g][i], e = expected->group[g][i], error = error_of(a, e, scale[g]);
+    if (!both_have(actual, &expected->numbers, g)) continue;
+    const double scale = expected->scale[g];
+    const int i = worst(actual, &expected->numbers, g, scale), columns = fuzz_group_columns(&actual->sizes, g);
+    const double a = actual->group[g][i], e = expected->numbers.group[g][i], error = error_of(a, e, scale);
     o->error[way][g] = fmax(o->error[way][g], error);
-    if (error <= RTOL) continue;
+    if (error <= expected->limit[g]) continue;
     snprintf(text, sizeof text, "%s[%d][%d] is %.17g, not %.17g; scale %.3g", fuzz_group_name(g), i / columns, i % columns, a, e,
-             scale[g]);
+             scale);
     fault(o, contenders[way].name, text);
   }
 }
@@ -126,20 +134,20 @@ static void compute(computed *c, const fuzz_model *m, const fuzz_point *p, const
   }
 }
 
-static void compare(outcome *o, const computed *c, const fuzz_numbers *expected, const double *scale) {
+static void compare(outcome *o, const computed *c, const expectation *expected) {
   o->points++;
-  o->solved += expected->group[FUZZ_QDD] != NULL;
+  o->solved += expected->numbers.group[FUZZ_QDD] != NULL;
   for (int way = 0; way < CONTENDERS; way++) {
     if (*c->refusal[way])
       fault(o, contenders[way].name, c->refusal[way]);
     else
-      note(o, way, &c->numbers[way], expected, scale);
+      note(o, way, &c->numbers[way], expected);
   }
 }
 
-static int all_agree(const computed *c, const fuzz_numbers *expected, const double *scale) {
+static int all_agree(const computed *c, const expectation *expected) {
   for (int way = 0; way < CONTENDERS; way++)
-    if (!*c->refusal[way] && !agrees(&c->numbers[way], expected, scale)) return 0;
+    if (!*c->refusal[way] && !agrees(&c->numbers[way], expected)) return 0;
   return 1;
 }
 
@@ -147,34 +155,49 @@ static void forget(computed *c) {
   for (int way = 0; way < CONTENDERS; way++) fuzz_numbers_free(&c->numbers[way]);
 }
 
-/* With the finer reference where the first does not agree. */
+/* Allows errors as large as roundings of the state have for effect. */
+static fuzz_smoothness allow_moves(const fuzz_model *m, const fuzz_point *p, expectation *expected) {
+  double moves[FUZZ_GROUP_COUNT];
+  const fuzz_smoothness smoothness = reference_moves(m, p, expected->scale, moves);
+  for (int g = 0; g < FUZZ_GROUP_COUNT; g++) expected->limit[g] = fmax(RTOL, moves[g]);
+  return smoothness;
+}
+
+/* With the finer reference where the first does not agree; then with what is known of the point, but not where the source itself in
+ * double does not agree either. */
 static void check_point(outcome *o, const fuzz_model *m, const fuzz_point *p) {
-  double scale[FUZZ_GROUP_COUNT];
-  fuzz_numbers expected;
+  expectation expected;
   computed c;
-  fuzz_numbers_start(&expected, m->sizes);
-  fuzz_smoothness smoothness = reference_evaluate(m, p, &expected, scale);
+  bool rounded = false;
+  fuzz_numbers_start(&expected.numbers, m->sizes);
+  for (int g = 0; g < FUZZ_GROUP_COUNT; g++) expected.limit[g] = RTOL;
+  fuzz_smoothness smoothness = reference_evaluate(m, p, &expected.numbers, expected.scale);
   if (smoothness == FUZZ_SMOOTH) {
-    compute(&c, m, p, &expected);
-    if (!all_agree(&c, &expected, scale)) {
-      smoothness = reference_refine(m, p, REFERENCE_RTOL, &expected, scale);
+    compute(&c, m, p, &expected.numbers);
+    if (!all_agree(&c, &expected)) {
+      smoothness = reference_refine(m, p, REFERENCE_RTOL, &expected.numbers, expected.scale);
       forget(&c);
-      compute(&c, m, p, &expected); /* at the accelerations that the finer reference has found */
+      compute(&c, m, p, &expected.numbers); /* at the accelerations that the finer reference has found */
     }
-    if (smoothness == FUZZ_SMOOTH) compare(o, &c, &expected, scale);
+    if (smoothness == FUZZ_SMOOTH && !all_agree(&c, &expected)) {
+      rounded = rounding_prevails(m, p, RTOL, expected.scale);
+      smoothness = allow_moves(m, p, &expected);
+    }
+    if (smoothness == FUZZ_SMOOTH && !rounded) compare(o, &c, &expected);
     forget(&c);
   }
-  o->rough += smoothness == FUZZ_ROUGH;
-  o->too_large += smoothness == FUZZ_TOO_LARGE;
-  fuzz_numbers_free(&expected);
+  o->rounded += rounded;
+  o->rough += smoothness == FUZZ_ROUGH && !rounded;
+  o->too_large += smoothness == FUZZ_TOO_LARGE && !rounded;
+  fuzz_numbers_free(&expected.numbers);
 }
 
 static void print_outcome(const outcome *o) {
   for (int way = 0; way < CONTENDERS; way++)
     for (int g = 0; g < FUZZ_GROUP_COUNT; g++)
       if (o->error[way][g] >= 0.0) printf("%s %s %s %.3g\n", o->program, contenders[way].name, fuzz_group_name(g), o->error[way][g]);
-  printf("%s done %d points %d solved %d rough %d large %d motions %d parameters\n", o->program, o->points, o->solved, o->rough,
-         o->too_large, o->motions, o->parameters);
+  printf("%s done %d points %d solved %d rough %d large %d rounded %d motions %d parameters\n", o->program, o->points, o->solved,
+         o->rough, o->too_large, o->rounded, o->motions, o->parameters);
 }
 
 static int check(const char *program, const fuzz_model *m) {

@@ -60,7 +60,8 @@ class Tally:
         total = sum(self.programs.values())
         print(f"{total} programs ({', '.join(f'{count} {name}' for name, count in sorted(self.programs.items()))}), "
               f"{self.points['points']} points, {self.points['solved']} of them with accelerations; "
-              f"left out {self.points['rough']} near a kink and {self.points['large']} with numbers too large")
+              f"left out {self.points['rough']} near a kink, {self.points['large']} with numbers too large, "
+              f"{self.points['rounded']} where rounding in double takes the source itself elsewhere")
         print(f"{self.points['motions']} programs have motion functions")
         for why, count in self.unsuitable.most_common():
             print(f"  {count} have none: {why}")

@@ -29,6 +29,9 @@ static const double LARGEST_CONDITION = 1e4, SMALLEST_PIVOT = 1e-3;
 /* A number above this in a model of numbers near 1 comes from a pole or from growth without bound. */
 static const double LARGEST_NUMBER = 1e6;
 
+/* Of a number of the state, relative: some hundred operations, each with a rounding of 2^-53 at random, add up to ten of these. */
+static const double ROUNDINGS = 0x1p-49;
+
 static const double CANCELLATION = 1e-3;
 
 enum {
@@ -37,7 +40,8 @@ enum {
   MAX_X = 2 * MAX_N + 1,
   MAX_M = 4,
   MAX_K = MAX_N + MAX_M,
-  MAX_FUNCTIONS = 2 + MAX_M
+  MAX_FUNCTIONS = 2 + MAX_M,
+  MOVED_STATES = 4
 };
 
 static const struct {
@@ -461,5 +465,40 @@ fuzz_smoothness reference_refine(const fuzz_model *m, const fuzz_point *p, doubl
     if (v->group[FUZZ_LAMBDA] && m->sizes.m) memcpy(p->lambda, v->group[FUZZ_LAMBDA], (size_t)m->sizes.m * sizeof *p->lambda);
   }
   fuzz_numbers_free(&finer);
+  return smoothness;
+}
+
+static void widen_moves(double *moves, const fuzz_numbers *a, const fuzz_numbers *b, const double *scale) {
+  for (int g = 0; g < FUZZ_GROUP_COUNT; g++)
+    for (int i = 0; a->group[g] && b->group[g] && i < fuzz_group_size(&a->sizes, g); i++) {
+      const double difference = fabs(a->group[g][i] - b->group[g][i]);
+      if (difference != 0.0) moves[g] = fmax(moves[g], difference / scale[g]);
+    }
+}
+
+/* The state, each number moved up or down as the bits of a number say that is another for each of the moved states. */
+static void move_state(double *to, const double *from, int count, int which) {
+  const unsigned bits = 0x9E3779B9u * (unsigned)(which + 1);
+  for (int i = 0; i < count; i++) to[i] = from[i] * (1.0 + (bits >> (i + 8) & 1 ? ROUNDINGS : -ROUNDINGS));
+}
+
+fuzz_smoothness reference_moves(const fuzz_model *m, const fuzz_point *p, const double scale[FUZZ_GROUP_COUNT],
+                                double moves[FUZZ_GROUP_COUNT]) {
+  double x[MAX_X], qdd[MAX_N], lambda[MAX_M], unused[FUZZ_GROUP_COUNT];
+  const fuzz_point moved = {x, p->trial, qdd, lambda, p->w};
+  fuzz_numbers centre, there;
+  fuzz_numbers_start(&centre, m->sizes);
+  fuzz_numbers_start(&there, m->sizes);
+  memset(moves, 0, FUZZ_GROUP_COUNT * sizeof *moves);
+  memcpy(x, p->x, (size_t)(2 * m->sizes.n + 1) * sizeof *x);
+  memcpy(lambda, p->lambda, (size_t)m->sizes.m * sizeof *lambda);
+  fuzz_smoothness smoothness = evaluate_with(STEP, m, &moved, &centre, unused);
+  for (int k = 0; k < MOVED_STATES && smoothness == FUZZ_SMOOTH; k++) {
+    move_state(x, p->x, 2 * m->sizes.n + 1, k);
+    smoothness = evaluate_with(STEP, m, &moved, &there, unused);
+    if (smoothness == FUZZ_SMOOTH) widen_moves(moves, &centre, &there, scale);
+  }
+  fuzz_numbers_free(&centre);
+  fuzz_numbers_free(&there);
   return smoothness;
 }

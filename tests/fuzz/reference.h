@@ -33,4 +33,9 @@ fuzz_smoothness reference_evaluate(const fuzz_model *m, const fuzz_point *p, fuz
 fuzz_smoothness reference_refine(const fuzz_model *m, const fuzz_point *p, double tolerance, fuzz_numbers *numbers,
                                  double scale[FUZZ_GROUP_COUNT]);
 
+/* How far the numbers of each group move, relative to the scale, with a state that is as far off as the roundings of a program take it.
+ * Any way in double may be wrong by that. Not smooth: moves says nothing. */
+fuzz_smoothness reference_moves(const fuzz_model *m, const fuzz_point *p, const double scale[FUZZ_GROUP_COUNT],
+                                double moves[FUZZ_GROUP_COUNT]);
+
 #endif
