@@ -202,8 +202,8 @@ private:
                           "_fits,\n" + number("work", workspace_);
     if (last_->autonomous) members += number("autonomous", 1);
     if (has("simulate") && last_->constantMass()) members += number("constant_mass", 1);
-    std::string s = list("eom_site ", "sites", sites, members, "sites", "nsite") +
-                    list("char *const ", "parameter", parameters, members, "parameter", "np");
+    const std::string names = list("char *const ", "parameter", parameters, members, "parameter", "np");
+    std::string s = list("eom_site ", "sites", sites, members, "sites", "nsite") + names;
     const bool lanes =
         std::any_of(printed_.begin(), printed_.end(), [&](const std::string &f) { return f.find("_lanes") != std::string::npos; });
     if (lanes) members += "  .lanes = TL_LANES,\n";

@@ -359,7 +359,7 @@ std::string MotionFunctions::residual(Body &body) {
 std::string MotionFunctions::derivatives(Body &body, const std::string &suffix, long columns) {
   long n = body.values.n, m = body.values.m1 + body.values.m2;
   std::string r = "r_" + suffix, g = "g_" + suffix;
-  std::string copies = body.output(0, r, r, n, columns) + body.output(0, g, g, m, columns);
+  const std::string constraints = body.output(0, g, g, m, columns), copies = body.output(0, r, r, n, columns) + constraints;
   return body.printChecked(0) + copies + body.checkFinite(0, r, r, n * columns) + body.checkFinite(0, g, g, m * columns);
 }
 
