@@ -82,7 +82,7 @@ static void polygammas(tl_wide *s, tl_wide x, int degree, tl_real shrink) {
 /* A power of two near the distance to the nearest pole where that is small, otherwise 1. Series are made in a/shrink, since beside a
  * pole their coefficients grow like powers of its distance. */
 static tl_real shrink_for(tl_real x) {
-  const tl_real close = TL_C(9.5367431640625e-7), distance = TL_LIBM(fabs)(x < TL_C(0.0) ? x - TL_LIBM(round)(x) : x);
+  const tl_real close = TL_C(0.25), distance = TL_LIBM(fabs)(x < TL_C(0.0) ? x - TL_LIBM(round)(x) : x);
   return distance < close ? TL_C(1.0) / tl_normaliser(distance) : TL_C(1.0);
 }
 

@@ -77,7 +77,10 @@ static tl_real times_power(tl_wide factor, tl_real x, tl_real y, int i, tl_real 
   if (exponent.lo != TL_C(0.0)) factor = tl_wide_mul(factor, tl_wide_sum(TL_C(1.0), exponent.lo * TL_LIBM(log)(size)));
   if (TL_LIBM(fabs)(whole) >= TL_MIN && TL_ISFINITE(whole)) return tl_narrow(tl_wide_mul(factor, tl_widen(whole))) * times;
   const tl_real half = TL_LIBM(pow)(size, exponent.hi / TL_C(2.0));
-  return half == TL_C(0.0) ? half : tl_narrow(factor) * half * times * TL_LIBM(copysign)(half, whole);
+  if (half == TL_C(0.0)) return half;
+  if (TL_ISFINITE(half)) return tl_narrow(factor) * half * times * TL_LIBM(copysign)(half, whole);
+  const tl_real quarter = TL_LIBM(pow)(size, exponent.hi / TL_C(4.0));
+  return tl_narrow(factor) * quarter * times * quarter * quarter * TL_LIBM(copysign)(quarter, whole);
 }
 
 /* Far enough from the ends of the range of numbers for a product with a number around 1 to keep its digits. */

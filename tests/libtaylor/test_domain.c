@@ -330,24 +330,38 @@ static operation *const OPERATIONS[] = {
 };
 enum { NOPERATION = sizeof OPERATIONS / sizeof *OPERATIONS };
 
-/* A value that is not finite is reported, whatever the function makes of it. */
-static void operands_that_are_not_finite_are_reported(void **state) {
-  (void)state;
-  const tl_real wild[] = {(tl_real)INFINITY, -(tl_real)INFINITY, (tl_real)NAN};
+/* The operation at (x,y) in a shape of this degree reports an operand that is not finite. */
+static int reports_operand(operation *f, int degree, tl_real x, tl_real y) {
   jet_space space;
-  jet_space_init(&space, tl_jacobian(1), 4);
+  jet_space_init(&space, tl_univariate(degree), 4);
   tl_ctx *cx = &space.cx;
   tl_real *a = tl_push(cx, 1), *b = tl_push(cx, 1), *c = tl_push(cx, 1);
-  for (int i = 0; i < NOPERATION; i++)
-    for (int k = 0; k < 3; k++) {
-      a[0] = b[0] = wild[k];
-      a[1] = b[1] = 1.0;
-      if (OPERATIONS[i] == on_powi || OPERATIONS[i] == on_scalbn) b[0] = 2.0; /* their exponent is an int */
-      tl_ctx_clear(cx);
-      OPERATIONS[i](cx, c, a, b);
-      if (!(cx->status.bits & TL_NONFINITE)) fail_msg("operation %d at %g: status %u", i, (double)wild[k], cx->status.bits);
-    }
+  for (int i = 1; i <= degree; i++) a[i] = b[i] = 1;
+  a[0] = x;
+  b[0] = y;
+  f(cx, c, a, b);
+  const int reported = (cx->status.bits & TL_NONFINITE) != 0;
   jet_space_free(&space);
+  return reported;
+}
+
+/* A value that is not finite is reported, whatever the function makes of it, and on each of its ways. */
+static void operands_that_are_not_finite_are_reported(void **state) {
+  (void)state;
+  static operation *const of_two[] = {tl_pow, tl_hypot, tl_atan2,     tl_div,  tl_mul, tl_fmin, tl_fmax, tl_copysign,
+                                      tl_add, tl_fmod,  tl_remainder, tl_fdim, tl_sub, on_powc, on_rpow, on_fma};
+  const tl_real wild[] = {(tl_real)INFINITY, -(tl_real)INFINITY, (tl_real)NAN};
+  for (int k = 0; k < 3; k++)
+    for (int degree = 1; degree <= 7; degree += 6) {
+      for (int i = 0; i < NOPERATION; i++) { /* the exponent of two of them is an int */
+        const int whole = OPERATIONS[i] == on_powi || OPERATIONS[i] == on_scalbn;
+        if (!reports_operand(OPERATIONS[i], degree, wild[k], whole ? 2 : wild[k])) fail_msg("operation %d at %g", i, (double)wild[k]);
+      }
+      for (size_t i = 0; i < sizeof of_two / sizeof *of_two; i++) {
+        if (!reports_operand(of_two[i], degree, wild[k], 2)) fail_msg("operation %zu of two at (%g, 2)", i, (double)wild[k]);
+        if (!reports_operand(of_two[i], degree, 2, wild[k])) fail_msg("operation %zu of two at (2, %g)", i, (double)wild[k]);
+      }
+    }
 }
 
 /* Numbers of every kind: any bits of a double, ends of the range, any exponent, small integers, ordinary. */

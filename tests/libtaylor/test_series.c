@@ -137,6 +137,42 @@ static void quotients_do_not_depend_on_a_power_of_two(void **state) {
   jet_space_free(&space);
 }
 
+/* Integers that the type holds are constants, others are reported. */
+static void integers_are_exact_or_reported(void **state) {
+  (void)state;
+  const long long limit = (long long)1 << (TL_MANT_DIG < 62 ? TL_MANT_DIG : 62);
+  jet_space space;
+  jet_space_init(&space, tl_jacobian(1), 1);
+  tl_real *c = tl_push(&space.cx, 1);
+  const long long ends[] = {-limit, limit};
+  for (int i = 0; i < 2; i++) {
+    tl_integer(&space.cx, c, ends[i]);
+    assert_int_equal(space.cx.status.bits, TL_OK);
+    assert_real_same(c[0], (tl_real)ends[i]);
+    assert_real_same(c[1], 0);
+    if (TL_MANT_DIG > 62) continue;
+    tl_integer(&space.cx, c, ends[i] + (i == 0 ? -1 : 1));
+    assert_int_equal(space.cx.status.bits, TL_NONFINITE);
+    tl_ctx_clear(&space.cx);
+  }
+  jet_space_free(&space);
+}
+
+/* Moved jets keep what is no number, and nothing is reported. */
+static void jets_are_moved_as_they_are(void **state) {
+  (void)state;
+  jet_space space;
+  jet_space_init(&space, tl_jacobian(2), 4);
+  tl_real *from = tl_push(&space.cx, 2), *to = tl_push(&space.cx, 2);
+  tl_const(&space.cx, from + 3, 5);
+  tl_move(&space.cx, to, from, 2);
+  assert_true(isnan((double)to[0]) && isnan((double)to[2]));
+  assert_real_same(to[3], 5);
+  assert_real_same(to[5], 0);
+  assert_int_equal(space.cx.status.bits, TL_OK);
+  jet_space_free(&space);
+}
+
 /* Euler: a product of sums of four squares is a sum of four squares, an identity of degree 4 in 8 variables. */
 static void euler_four_squares_are_exact_in_eight_variables(void **state) {
   (void)state;
@@ -349,6 +385,8 @@ int main(void) {
       cmocka_unit_test(integer_jets_are_a_ring),
       cmocka_unit_test(quotients_times_divisors_are_exact_for_unit_values),
       cmocka_unit_test(quotients_do_not_depend_on_a_power_of_two),
+      cmocka_unit_test(integers_are_exact_or_reported),
+      cmocka_unit_test(jets_are_moved_as_they_are),
       cmocka_unit_test(euler_four_squares_are_exact_in_eight_variables),
       cmocka_unit_test(fateman_power_is_exact),
       cmocka_unit_test(composition_with_a_polynomial_is_exact),

@@ -6,7 +6,7 @@
 #include "random.h"
 #include "reference_jet.h"
 
-enum { REF_MAX_DEGREE = 7 };
+enum { REF_MAX_DEGREE = 8 };
 
 /* Where the arguments of a function are drawn from: anchor + side*2^u, u uniform in [lo, hi); side 0 takes either sign. */
 typedef struct ref_region {
