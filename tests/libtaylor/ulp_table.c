@@ -242,6 +242,13 @@ static void print_worst(const row *w) {
            w->ill[k].error, w->ill[k].x, w->ill[k].y);
 }
 
+/* The worst over all orders. */
+static double worst_of(const worst_error *w) {
+  double worst = 0.0;
+  for (int k = 0; k < NORDER; k++) worst = fmax(worst, w[k].error);
+  return worst;
+}
+
 static int print_row(const row *w, const style *how) {
   const limits none = {w->function, HUGE_VAL, HUGE_VAL, HUGE_VAL};
   const limits *l = how->with_limits && !w->rival ? limits_of(w->function) : &none;
@@ -252,8 +259,11 @@ static int print_row(const row *w, const style *how) {
   int above = 0;
   printf(how->markdown ? "| %s | %s | " : "%-6s %-12s", w->rival ? "" : w->function, w->school);
   for (int k = 0; k < NORDER; k++) above += print_error_of(w->well[k].error, k <= 3 ? l->low : l->high, how);
-  if (!how->markdown) printf(" |");
-  for (int k = 0; k < NORDER; k++) above += print_error_of(w->ill[k].error, l->ill, how);
+  if (how->markdown)
+    above += print_error_of(worst_of(w->ill), l->ill, how);
+  else
+    printf(" |");
+  for (int k = 0; k < NORDER && !how->markdown; k++) above += print_error_of(w->ill[k].error, l->ill, how);
   if (w->rival)
     printf(how->markdown ? "| |\n" : "\n");
   else

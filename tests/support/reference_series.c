@@ -179,8 +179,8 @@ static void error_complement(work *w) { mpfr_erfc(w->c[0], w->x, MPFR_RNDN), gau
 
 /* g_k = sum_{n>=0} (x+n)^-k, k = 2..degree, by Euler and Maclaurin's sum from X = x+n >= FAR on:
  *     sum_{n<N} (x+n)^-k + X^(1-k)/(k-1) + X^-k/2 + sum_j B_2j/(2j)! k (k+1) .. (k+2j-2) X^(1-k-2j).
- * The first term left out is below 2^-390 of the sum. B_2j/(2j)! = (-1)^(j+1) 2 zeta(2j)/(2 pi)^2j. */
-enum { FAR = 72, NTERM = 60 };
+ * The first term left out is below 2^-229 of the sum. B_2j/(2j)! = (-1)^(j+1) 2 zeta(2j)/(2 pi)^2j. */
+enum { FAR = 40, NTERM = 36, GAMMA_PRECISION = 280 };
 
 /* zeta(2j), j = 1..NTERM; computed once. */
 static mpfr_srcptr even_zeta(int j) {
@@ -210,10 +210,11 @@ static void zeta_tail(work *w, int k) {
   mpfr_div(term, term, square, MPFR_RNDN);
   mpfr_mul(square, square, w->x, MPFR_RNDN);
   mpfr_mul(square, square, w->x, MPFR_RNDN);
+  mpfr_ui_div(square, 1, square, MPFR_RNDN);
   for (int j = 1; j <= NTERM; j++) { /* term = 2 (-1)^(j+1) k .. (k+2j-2) X^(1-k-2j)/(2 pi)^2j */
     mpfr_fma(w->g[k], even_zeta(j), term, w->g[k], MPFR_RNDN);
     mpfr_mul_si(term, term, -(k + 2 * j - 1) * (k + 2 * j), MPFR_RNDN);
-    mpfr_div(term, term, square, MPFR_RNDN);
+    mpfr_mul(term, term, square, MPFR_RNDN);
   }
   mpfr_clears(term, square, (mpfr_ptr)0);
 }
@@ -458,13 +459,14 @@ static const double MANY_TERMS = -4000.0;
 void ref_series(const ref_function *function, double x, double y, int degree, mpfr_t *f) {
   const int i = find_series(function->name), n = degree + 1;
   assert(degree <= REF_MAX_DEGREE);
-  if (i < 0 || ((SERIES[i].one == gamma_series || SERIES[i].one == log_gamma) && x < MANY_TERMS)) {
+  const int gamma = i >= 0 && (SERIES[i].one == gamma_series || SERIES[i].one == log_gamma);
+  if (i < 0 || (gamma && x < MANY_TERMS)) {
     ref_taylor(function, x, y, degree, f);
     return;
   }
   work w; /* polar functions lose as many bits as the sides differ in size, twice */
   const long apart = SERIES[i].two == length || SERIES[i].two == angle ? 4 * labs(exponent_of(x) - exponent_of(y)) : 0;
-  work_init(&w, x, degree, REF_PRECISION + apart);
+  work_init(&w, x, degree, gamma ? GAMMA_PRECISION : REF_PRECISION + apart);
   mpfr_t *wide = apart ? malloc((size_t)(n * n) * sizeof *wide) : NULL, *out = wide ? wide : f;
   if (wide)
     for (int k = 0; k < n * n; k++) mpfr_init2(wide[k], w.precision);
