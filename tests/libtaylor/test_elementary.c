@@ -392,6 +392,27 @@ static void lengths_and_angles_scale_with_powers_of_two(void **state) {
 }
 
 /* The angle keeps its derivatives across the cut of atan2, where only the value jumps. */
+/* Beside a subnormal x, hypot(x+h, y+g) = y + g + (x+h)^2/(2 (y+g)) - ..: the coefficients of h g^j are (-1)^j x y^(-j-1), subnormal
+ * too and right to the last place. */
+static void short_sides_keep_their_digits(void **state) {
+  (void)state;
+  enum { ORDER = 6 };
+  jet_space space;
+  jet_space_init(&space, tl_complete(2, ORDER), 3);
+  tl_real *a = tl_push(&space.cx, 1), *b = tl_push(&space.cx, 1), *c = tl_push(&space.cx, 1);
+  const tl_real unit = TL_MIN * TL_EPSILON, x = -100000 * unit, y = TL_C(-1.75);
+  tl_seed(&space.cx, a, x, 0);
+  tl_seed(&space.cx, b, y, 1);
+  tl_hypot(&space.cx, c, a, b);
+  tl_real expected = -x / unit;
+  for (int j = 0; j < ORDER; j++) {
+    expected = -expected / (j == 0 ? -y : y);
+    assert_real_close(tl_coef(&space.shape, c, 0, (int[]){1, j}) / unit, expected, 0, 1);
+  }
+  assert_int_equal(space.cx.status.bits, TL_OK);
+  jet_space_free(&space);
+}
+
 static void atan2_has_derivatives_on_its_cut(void **state) {
   (void)state;
   jet_space space;
@@ -461,6 +482,7 @@ int main(int argc, char **argv) {
       cmocka_unit_test(constant_exponents_and_bases_agree_with_the_general_power),
       cmocka_unit_test(powers_keep_derivatives_that_outlive_the_value),
       cmocka_unit_test(lengths_and_angles_scale_with_powers_of_two),
+      cmocka_unit_test(short_sides_keep_their_digits),
       cmocka_unit_test(atan2_has_derivatives_on_its_cut),
       cmocka_unit_test(kinked_functions_follow_the_value),
   };
