@@ -93,7 +93,10 @@ private:
     Candidate made[2];
     made[rows] = candidate(function, rows);
     if (open || !made[rows].made) made[!rows] = candidate(function, !rows);
-    if (!made[0].made && !made[1].made) throw *made[rows].why;
+    if (!made[0].made && !made[1].made) {
+      if (function != "parameters") throw *made[rows].why; // what the others are made of
+      return leaveOut("parameters-unsuitable", function, *made[rows].why);
+    }
     const bool both = made[0].made && made[1].made;
     if (both)
       rows = estimate(made[true], true) < estimate(made[false], false);
@@ -113,7 +116,11 @@ private:
     if (made[rows].made)
       take(function, rows, "lanes", made);
     else
-      diags_.add("lanes-unsuitable", program_, made[rows].why->loc, "'" + function + "': " + made[rows].why->why);
+      leaveOut("lanes-unsuitable", function, *made[rows].why);
+  }
+
+  void leaveOut(const char *id, const std::string &function, const Unsuitable &why) {
+    diags_.add(id, program_, why.loc, "'" + function + "': " + why.why);
   }
 
   void take(const std::string &function, bool rows, const std::string &why, const Candidate (&made)[2]) {
@@ -196,7 +203,8 @@ private:
     for (const Sites::Site &site : sites_.all())
       sites.push_back("{TL_FN_" + site.function + ", \"" + program_.files[size_t(site.loc.file)] + "\", " +
                       std::to_string(site.loc.line) + "}");
-    for (const std::string &p : last_->parameters) parameters.push_back("\"" + p + "\"");
+    if (has("parameters"))
+      for (const std::string &p : last_->parameters) parameters.push_back("\"" + p + "\"");
     auto number = [](const std::string &member, long value) { return "  ." + member + " = " + std::to_string(value) + ",\n"; };
     std::string members = number("n", last_->n) + number("m1", last_->m1) + number("m2", last_->m2) + "  .fits = " + name_ +
                           "_fits,\n" + number("work", workspace_);

@@ -1,4 +1,4 @@
-/* A function without a formula for its derivative, of a parameter: there are motion functions, but not by that parameter. */
+/* A function without a formula for its derivative, of a parameter: all motion functions are there but the one by that parameter. */
 #include <math.h>
 
 struct gamma_spring {
