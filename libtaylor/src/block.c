@@ -28,9 +28,9 @@ void tl_row_divide(int n, tl_real *c, tl_real d) {
 void tl_row_divide_weight(int n, tl_real *c, int w) {
   if (w == 1) return;
   if ((w & (w - 1)) == 0)
-    tl_row_scale(n, c, TL_C(1.0) / (tl_real)w);
+    tl_row_scale(n, c, TL_C(1.0) / TL_FROM(w));
   else
-    tl_row_divide(n, c, (tl_real)w);
+    tl_row_divide(n, c, TL_FROM(w));
 }
 
 void tl_row_add(int n, tl_real *restrict c, tl_real x, const tl_real *restrict a) {
@@ -99,7 +99,7 @@ static void add_square(const tl_shape *s, tl_real *out, tl_real x, int p, const 
 #if TL_VECTORS
 /* Adds the terms of four powers of s at a time from *i on, as long as there are four; a[*i ..] against g[k - *i ..] downwards. */
 static void add_curve_by_four(int k, int *i, tl_real *sum, tl_factor f, const tl_real *a, const tl_real *g) {
-  tl_v4 total = {TL_C(0.0)}, first = {TL_C(1.0), TL_C(2.0), TL_C(3.0), TL_C(4.0)}, second = (tl_real)k - first;
+  tl_v4 total = {TL_C(0.0)}, first = {TL_C(1.0), TL_C(2.0), TL_C(3.0), TL_C(4.0)}, second = TL_FROM(k) - first;
   for (; *i + 4 <= k; *i += 4) {
     const tl_v4 ahead = TL_V4_CONST(g + k - *i - 3), back = __builtin_shufflevector(ahead, ahead, 3, 2, 1, 0);
     total += (f.z + f.u * first + f.v * second) * TL_V4_CONST(a + *i) * back;
@@ -117,7 +117,7 @@ static void add_interior_curve(int k, tl_real *out, tl_factor f, const tl_real *
 #if TL_VECTORS
   if (k > 4) add_curve_by_four(k, &i, &sum, f, a, g);
 #endif
-  for (; i < k; i++) sum += (f.z + f.u * (tl_real)i + f.v * (tl_real)(k - i)) * a[i] * g[k - i];
+  for (; i < k; i++) sum += (f.z + f.u * TL_FROM(i) + f.v * TL_FROM(k - i)) * a[i] * g[k - i];
   *out += sum;
 }
 
@@ -127,7 +127,7 @@ static void add_scalars(const tl_shape *s, tl_block b, tl_real *restrict out, tl
   tl_real x[TL_MAX_CURVE + 1], y[TL_MAX_CURVE + 1];
   const int n = b.n;
   for (int k = 1; k <= b.k; k++) {
-    const tl_real low = (tl_real)k, high = (tl_real)(b.weight - k);
+    const tl_real low = TL_FROM(k), high = TL_FROM(b.weight - k);
     x[k] = (f.z + f.u * low + f.v * high) * a[k];
     y[k] = (f.z + f.u * high + f.v * low) * g[k];
   }
@@ -157,7 +157,7 @@ void tl_add_interior(const tl_shape *s, tl_block b, tl_real *out, tl_factor f, c
     const int q = b.p - p, last = p == q ? b.k / 2 : b.k;
     for (int k = 0; k <= last; k++) {
       const int l = b.k - k, low = s->start[p] + k * s->nhom[p], high = s->start[q] + l * s->nhom[q];
-      const tl_real w1 = (tl_real)(p + k), w2 = (tl_real)(q + l);
+      const tl_real w1 = TL_FROM(p + k), w2 = TL_FROM(q + l);
       const tl_real x = f.z + f.u * w1 + f.v * w2, y = f.z + f.u * w2 + f.v * w1;
       if (p == q && k == l)
         add_square(s, out, x, p, a + low, g + low);
@@ -168,14 +168,16 @@ void tl_add_interior(const tl_shape *s, tl_block b, tl_real *out, tl_factor f, c
   }
 }
 
-void tl_reject(tl_ctx *cx, tl_real *c, unsigned bits, tl_fn function) {
-  tl_fail(cx, bits, function);
-  for (int i = 0; i < cx->shape->ncoef; i++) c[i] = (tl_real)NAN;
+void tl_reject(tl_ctx *cx, tl_real *c, unsigned bits, tl_fn function) { tl_reject_in_lane(cx, c, bits, function, 0); }
+
+void tl_reject_in_lane(tl_ctx *cx, tl_real *c, unsigned bits, tl_fn function, int lane) {
+  tl_fail_in_lane(cx, bits, function, lane);
+  for (int i = 0; i < cx->shape->ncoef; i++) c[i] = TL_FROM(NAN);
 }
 
 int tl_accept(tl_ctx *cx, tl_real *c, tl_real x, tl_fn function) {
-  if (TL_ISFINITE(x)) return 1;
-  tl_reject(cx, c, TL_NONFINITE, function);
+  if (TL_EVERY(TL_ISFINITE(x))) return 1;
+  tl_reject_in_lane(cx, c, TL_NONFINITE, function, TL_FIRST(x - x != TL_C(0.0)));
   return 0;
 }
 
@@ -188,7 +190,8 @@ void tl_check(tl_ctx *cx, const tl_real *c, tl_fn function) {
   for (; i + LANES <= n; i += LANES)
     for (int j = 0; j < LANES; j++) sum[j] += c[i + j] - c[i + j];
   for (; i < n; i++) sum[0] += c[i] - c[i];
-  if (sum[0] + sum[1] + sum[2] + sum[3] != TL_C(0.0)) tl_fail(cx, TL_NONFINITE, function);
+  const tl_real total = sum[0] + sum[1] + sum[2] + sum[3];
+  if (TL_SOME(total != TL_C(0.0))) tl_fail_in_lane(cx, TL_NONFINITE, function, TL_FIRST(total != TL_C(0.0)));
 }
 
 const tl_real *tl_unaliased(tl_ctx *cx, const tl_real *a, const tl_real *c, int i) {
@@ -198,6 +201,7 @@ const tl_real *tl_unaliased(tl_ctx *cx, const tl_real *a, const tl_real *c, int 
   return copy;
 }
 
+#ifndef TL_REAL_LANES
 tl_real tl_normaliser(tl_real x) {
   int e = 0;
   if (x == TL_C(0.0)) return TL_C(1.0);
@@ -206,6 +210,7 @@ tl_real tl_normaliser(tl_real x) {
   const int shift = e - 1 < -limit ? limit : e - 1 > limit ? -limit : 1 - e;
   return TL_LIBM(ldexp)(TL_C(1.0), shift);
 }
+#endif
 
 /* In a univariate series a recurrence adds what a coefficient contributes to all later ones as soon as it is known: unlike a sum over
  * all earlier ones that is a loop over numbers beside each other, and nothing waits for its last term. Until then c holds such sums. */
@@ -215,11 +220,11 @@ static void exp_series(int n, tl_real *c, tl_real u, const tl_real *a) {
   tl_real slope[TL_MAX_CURVE + 1];
   const tl_real first = u * c[0];
   for (int i = 1; i < n; i++) {
-    slope[i] = u * (tl_real)i * a[i];
+    slope[i] = u * TL_FROM(i) * a[i];
     c[i] = TL_C(0.0);
   }
   for (int k = 1; k < n; k++) {
-    c[k] = c[k] / (tl_real)k + first * a[k];
+    c[k] = c[k] / TL_FROM(k) + first * a[k];
     const tl_real x = c[k];
     for (int i = 1; i < n - k; i++) c[k + i] += x * slope[i];
   }
@@ -229,11 +234,11 @@ static void exp_series(int n, tl_real *c, tl_real u, const tl_real *a) {
 static void circle_series(int n, tl_real *sine, tl_real *cosine, tl_real sign, const tl_real *a) {
   tl_real slope[TL_MAX_CURVE + 1];
   for (int i = 1; i < n; i++) {
-    slope[i] = (tl_real)i * a[i];
+    slope[i] = TL_FROM(i) * a[i];
     sine[i] = cosine[i] = TL_C(0.0);
   }
   for (int k = 1; k < n; k++) {
-    const tl_real s = sine[k] / (tl_real)k + cosine[0] * a[k], c = sign * (cosine[k] / (tl_real)k + sine[0] * a[k]);
+    const tl_real s = sine[k] / TL_FROM(k) + cosine[0] * a[k], c = sign * (cosine[k] / TL_FROM(k) + sine[0] * a[k]);
     sine[k] = s;
     cosine[k] = c;
     for (int i = 1; i < n - k; i++) {
@@ -265,9 +270,9 @@ void tl_circle_blocks(const tl_shape *s, tl_real *sine, tl_real *cosine, tl_real
 static void power_series(int n, tl_real *c, tl_real p, tl_real q, const tl_real *a) {
   for (int i = 1; i < n; i++) c[i] = TL_C(0.0);
   for (int k = 0; k < n; k++) {
-    if (k > 0) c[k] /= q * (tl_real)k * a[0];
-    const tl_real x = c[k], qk = q * (tl_real)k;
-    for (int i = 1; i < n - k; i++) c[k + i] += (p * (tl_real)i - qk) * x * a[i];
+    if (k > 0) c[k] /= q * TL_FROM(k) * a[0];
+    const tl_real x = c[k], qk = q * TL_FROM(k);
+    for (int i = 1; i < n - k; i++) c[k + i] += (p * TL_FROM(i) - qk) * x * a[i];
   }
 }
 
@@ -298,7 +303,7 @@ void tl_power_blocks(const tl_shape *s, tl_real *c, tl_real p, tl_real q, const 
     return;
   }
   for (tl_block b = tl_first_block(s); b.n; b = tl_next_block(s, b)) {
-    const tl_real w = (tl_real)b.weight;
+    const tl_real w = TL_FROM(b.weight);
     tl_real *cB = c + b.at;
     tl_row_zero(b.n, cB);
     tl_add_interior(s, b, cB, (tl_factor){.u = p, .v = -q}, a, c);
@@ -311,11 +316,37 @@ void tl_power_blocks(const tl_shape *s, tl_real *c, tl_real p, tl_real q, const 
  * may carry any constant factor. c may not be a. */
 void tl_log_blocks(const tl_shape *s, tl_real *c, tl_real rate, const tl_real *a) {
   for (tl_block b = tl_first_block(s); b.n; b = tl_next_block(s, b)) {
-    const tl_real w = (tl_real)b.weight;
+    const tl_real w = TL_FROM(b.weight);
     tl_row_zero(b.n, c + b.at);
     tl_add_interior(s, b, c + b.at, (tl_factor){.u = -TL_C(1.0)}, c, a);
     tl_row_add(b.n, c + b.at, rate * w, a + b.at);
     tl_row_divide(b.n, c + b.at, w * a[0]);
+  }
+}
+
+/* b_0 c_k = a_k - sum_{i>0} c_(k-i) b_i for univariate series. */
+static void quotient_series(int n, tl_real *c, const tl_real *a, const tl_real *b) {
+  for (int i = 1; i < n; i++) c[i] = a[i];
+  for (int k = 0; k < n; k++) {
+    if (k > 0) c[k] /= b[0];
+    const tl_real x = c[k];
+    for (int i = 1; i < n - k; i++) c[k + i] -= x * b[i];
+  }
+}
+
+/* b_0 c_B = a_B - sum_{B2>0} c_B1 b_B2, from c_0 = a_0/b_0. c may be a, whose blocks are each read once, just before c's is written;
+ * c may not be b. */
+void tl_quotient_blocks(const tl_shape *s, tl_real *c, const tl_real *a, const tl_real *b) {
+  if (tl_is_series(s)) {
+    quotient_series(s->ncoef, c, a, b);
+    return;
+  }
+  for (tl_block B = tl_first_block(s); B.n; B = tl_next_block(s, B)) {
+    tl_real *cB = c + B.at;
+    const tl_real *aB = a + B.at, *bB = b + B.at;
+    for (int i = 0; i < B.n; i++) cB[i] = aB[i] - c[0] * bB[i];
+    tl_add_interior(s, B, cB, (tl_factor){.z = -TL_C(1.0)}, c, b);
+    tl_row_divide(B.n, cB, b[0]);
   }
 }
 

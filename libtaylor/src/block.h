@@ -50,6 +50,7 @@ void tl_row_combine(int n, tl_real *c, tl_real x, const tl_real *a, tl_real y, c
 
 /* Records a failure and fills c with NaN. */
 void tl_reject(tl_ctx *cx, tl_real *c, unsigned bits, tl_fn function);
+void tl_reject_in_lane(tl_ctx *cx, tl_real *c, unsigned bits, tl_fn function, int lane);
 
 /* True where x is finite; otherwise c is rejected with TL_NONFINITE. */
 int tl_accept(tl_ctx *cx, tl_real *c, tl_real x, tl_fn function);
@@ -67,7 +68,7 @@ static inline tl_real *tl_scratch(tl_ctx *cx, int i) {
 const tl_real *tl_unaliased(tl_ctx *cx, const tl_real *a, const tl_real *c, int i);
 
 /* The power of two by which a jet with value x (finite) is multiplied to bring the value to [1,2); both the factor and its reciprocal
- * are normal numbers. 1 for x = 0. */
+ * are normal numbers. 1 for x = 0. For one number, not for lanes. */
 tl_real tl_normaliser(tl_real x);
 
 /* By how much a recurrence may exceed its largest coefficient on the way. */
@@ -80,6 +81,7 @@ tl_real tl_normaliser(tl_real x);
  *   tl_circle_blocks     E s = c E a, E c = sign s E a       a may be neither s nor c
  *   tl_power_blocks      q a E c = p c E a         c = constant * a^(p/q); c may not be a; a[0] not 0
  *   tl_log_blocks        a E c = rate E a                           c may not be a; a[0] not 0
+ *   tl_quotient_blocks   c = a/b                   c may be a, not b; b[0] not 0
  *   tl_product_blocks    c = a b                   without the value; c may be a or b
  *   tl_square_blocks     c = x a^2                 without the value; c may not be a
  *   tl_horner_step       c = c (h - h[0]) + f      with the value, in the blocks of weight at most top; c may not be h
@@ -91,6 +93,7 @@ void tl_integral_blocks(const tl_shape *s, tl_real *c, tl_real x, const tl_real 
 void tl_circle_blocks(const tl_shape *s, tl_real *sine, tl_real *cosine, tl_real sign, const tl_real *a);
 void tl_power_blocks(const tl_shape *s, tl_real *c, tl_real p, tl_real q, const tl_real *a);
 void tl_log_blocks(const tl_shape *s, tl_real *c, tl_real rate, const tl_real *a);
+void tl_quotient_blocks(const tl_shape *s, tl_real *c, const tl_real *a, const tl_real *b);
 void tl_product_blocks(const tl_shape *s, tl_real *c, const tl_real *a, const tl_real *b);
 void tl_square_blocks(const tl_shape *s, tl_real *c, tl_real x, const tl_real *a);
 void tl_horner_step(const tl_shape *s, tl_real *c, const tl_real *h, tl_real f, int top);

@@ -21,11 +21,14 @@ void tl_ctx_init(tl_ctx *cx, const tl_shape *shape, tl_real *memory, size_t nrea
   cx->end = memory + nreal;
 }
 
-void tl_ctx_clear(tl_ctx *cx) { cx->status = (tl_status){.bits = TL_OK, .function = TL_FN_none, .line = 0, .file = NULL}; }
+void tl_ctx_clear(tl_ctx *cx) { cx->status = (tl_status){.bits = TL_OK}; }
 
-void tl_fail(tl_ctx *cx, unsigned bits, tl_fn function) {
+void tl_fail(tl_ctx *cx, unsigned bits, tl_fn function) { tl_fail_in_lane(cx, bits, function, 0); }
+
+void tl_fail_in_lane(tl_ctx *cx, unsigned bits, tl_fn function, int lane) {
   if (cx->status.bits == TL_OK) {
     cx->status.function = function;
+    cx->status.lane = lane;
     cx->status.line = cx->line;
     cx->status.file = cx->file;
   }
@@ -40,7 +43,7 @@ tl_real *tl_push(tl_ctx *cx, size_t njet) {
   }
   tl_real *frame = cx->top;
   cx->top += njet * ncoef;
-  for (tl_real *x = frame; x < cx->top; x++) *x = (tl_real)NAN;
+  for (tl_real *x = frame; x < cx->top; x++) *x = TL_FROM(NAN);
   return frame;
 }
 

@@ -80,7 +80,7 @@ void tl_apply_n(tl_ctx *cx, tl_real *c, int nargs, const tl_real *const *args, t
     tl_reject(cx, c, TL_NO_SPACE, TL_FN_compose);
     return;
   }
-  for (int i = 0; i < n; i++) f[i] = (tl_real)NAN;
+  for (int i = 0; i < n; i++) f[i] = TL_FROM(NAN);
   const unsigned bits = rule(f, x, degree, user);
   if (bits != TL_OK) {
     tl_reject(cx, c, bits, TL_FN_compose);

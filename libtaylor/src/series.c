@@ -16,7 +16,7 @@ void tl_const(tl_ctx *cx, tl_real *c, tl_real x) {
 void tl_integer(tl_ctx *cx, tl_real *c, long long n) {
   const int exact_bits = TL_MANT_DIG < 62 ? TL_MANT_DIG : 62;
   const long long limit = (long long)1 << exact_bits;
-  tl_const(cx, c, (tl_real)n);
+  tl_const(cx, c, TL_FROM(n));
   if (TL_MANT_DIG < 63 && (n > limit || n < -limit)) tl_reject(cx, c, TL_NONFINITE, TL_FN_seed);
 }
 
@@ -93,32 +93,7 @@ void tl_muladd(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
   tl_check(cx, c, TL_FN_mul);
 }
 
-/* The same for univariate series; what a coefficient takes from later ones is taken as soon as it is known. */
-static void divide_series(int n, tl_real *c, const tl_real *a, const tl_real *b) {
-  for (int i = 1; i < n; i++) c[i] = a[i];
-  for (int k = 0; k < n; k++) {
-    if (k > 0) c[k] /= b[0];
-    const tl_real x = c[k];
-    for (int i = 1; i < n - k; i++) c[k + i] -= x * b[i];
-  }
-}
-
-/* b_0 c_B = a_B - sum_{B2>0} c_B1 b_B2, from c_0 = a_0/b_0. c may be a, whose blocks are each read once, just before c's is written;
- * c may not be b. */
-static void divide_blocks(const tl_shape *s, tl_real *c, const tl_real *a, const tl_real *b) {
-  if (tl_is_series(s)) {
-    divide_series(s->ncoef, c, a, b);
-    return;
-  }
-  for (tl_block B = tl_first_block(s); B.n; B = tl_next_block(s, B)) {
-    tl_real *cB = c + B.at;
-    const tl_real *aB = a + B.at, *bB = b + B.at;
-    for (int i = 0; i < B.n; i++) cB[i] = aB[i] - c[0] * bB[i];
-    tl_add_interior(s, B, cB, (tl_factor){.z = -TL_C(1.0)}, c, b);
-    tl_row_divide(B.n, cB, b[0]);
-  }
-}
-
+#ifndef TL_REAL_LANES /* lanes/elementary.c has it for them */
 /* So far from 1 that products of a few such numbers may leave the range of numbers, or lose digits, although the quotient does not. */
 static int is_extreme(tl_real x) {
   const tl_real far = TL_C(1.0) / (TL_EPSILON * TL_EPSILON), size = TL_LIBM(fabs)(x);
@@ -152,7 +127,7 @@ static void divide_scaled(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_rea
     y[i] = scale * b[i];
   }
   c[0] = x[0] / y[0];
-  divide_blocks(cx->shape, c, x, y);
+  tl_quotient_blocks(cx->shape, c, x, y);
   tl_row_scale(n, c, scale / lift);
   c[0] = value;
 }
@@ -168,7 +143,7 @@ void tl_div(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *b) {
   } else {
     const tl_real *divisor = tl_unaliased(cx, b, c, 0);
     c[0] = a[0] / divisor[0];
-    divide_blocks(cx->shape, c, b == a ? divisor : a, divisor);
+    tl_quotient_blocks(cx->shape, c, b == a ? divisor : a, divisor);
   }
   tl_check(cx, c, TL_FN_div);
 }
@@ -182,7 +157,7 @@ void tl_rdiv(tl_ctx *cx, tl_real *c, tl_real x, const tl_real *b) {
   const tl_real *divisor = tl_unaliased(cx, b, c, 0);
   set_constant(cx, c, x);
   c[0] = x / divisor[0];
-  divide_blocks(cx->shape, c, c, divisor);
+  tl_quotient_blocks(cx->shape, c, c, divisor);
   tl_check(cx, c, TL_FN_div);
 }
 
@@ -195,6 +170,8 @@ void tl_divc(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real x) {
   for (int i = 0; i < cx->shape->ncoef; i++) c[i] = a[i] / x;
   tl_check(cx, c, TL_FN_div);
 }
+
+#endif
 
 void tl_compose(tl_ctx *cx, tl_real *c, const tl_real *a, const tl_real *f) {
   if (!tl_accept(cx, c, a[0], TL_FN_compose)) return;
@@ -209,7 +186,7 @@ tl_real tl_coef(const tl_shape *s, const tl_real *a, int k, const int *alpha) {
 
 static tl_real factorial(int n) {
   tl_real f = TL_C(1.0);
-  for (int i = 2; i <= n; i++) f *= (tl_real)i;
+  for (int i = 2; i <= n; i++) f *= TL_FROM(i);
   return f;
 }
 

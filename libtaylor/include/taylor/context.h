@@ -40,6 +40,7 @@ enum {
 typedef struct tl_status {
   unsigned bits;
   tl_fn function;   /* the first that failed; TL_FN_none while bits is TL_OK */
+  int lane;         /* the first in which it did, where tl_real has lanes; else 0 */
   int line;         /* value of tl_ctx.line at that moment: the line in the source that tlgen read, 0 where unknown */
   const char *file; /* value of tl_ctx.file: that source's name, null where the model has only one */
 } tl_status;
@@ -67,6 +68,7 @@ void tl_ctx_clear(tl_ctx *cx);
 
 /* Records a failure; the first one keeps function and line. */
 void tl_fail(tl_ctx *cx, unsigned bits, tl_fn function);
+void tl_fail_in_lane(tl_ctx *cx, unsigned bits, tl_fn function, int lane);
 
 /* A frame of njet jets on the stack, filled with NaN so that one which is read before it is written sets TL_NONFINITE; or null with
  * status TL_NO_SPACE. tl_pop gives the same number back. */

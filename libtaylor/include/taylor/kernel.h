@@ -26,7 +26,7 @@
 
 /* TL_VECTORS is 1 where there are vectors, of float or double only. All are of four numbers, whatever the processor has: an operation
  * is then one instruction or two. Eight at a time would slow down the scalar code between them. */
-#if !defined(TL_NO_VECTORS) && (TL_REAL == TL_FLOAT || TL_REAL == TL_DOUBLE) && defined(__has_builtin)
+#if !defined(TL_NO_VECTORS) && !defined(TL_REAL_LANES) && (TL_REAL == TL_FLOAT || TL_REAL == TL_DOUBLE) && defined(__has_builtin)
 #if __has_builtin(__builtin_shufflevector)
 #define TL_VECTORS 1
 #endif

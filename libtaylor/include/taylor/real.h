@@ -15,31 +15,46 @@
 #define TL_REAL TL_DOUBLE
 #endif
 
-/* TL_C(x): the number x, written as a constant of type double. TL_LIBM(sin)(x) calls the C library's function for tl_real. */
+/* With -DTL_REAL_LANES=2, 4 or 8 besides, tl_real is that many numbers side by side: see real_lanes.h.
+ *
+ * TL_C(x): the number x, written as a constant of type double. TL_LIBM(sin)(x) calls the C library's function for tl_real. */
 #if TL_REAL == TL_FLOAT
 #define TL_REAL_FLOAT
-typedef float tl_real;
-#define TL_C(x) x##f
+typedef float tl_number;
+#define TL_NUMBER(x) x##f
 #define TL_LIBM(name) name##f
 #define TL_LIMIT(name) FLT_##name
 #elif TL_REAL == TL_DOUBLE
-typedef double tl_real;
-#define TL_C(x) x
+typedef double tl_number;
+#define TL_NUMBER(x) x
 #define TL_LIBM(name) name
 #define TL_LIMIT(name) DBL_##name
 #elif TL_REAL == TL_LONG_DOUBLE
-typedef long double tl_real;
-#define TL_C(x) x##L
+typedef long double tl_number;
+#define TL_NUMBER(x) x##L
 #define TL_LIBM(name) name##l
 #define TL_LIMIT(name) LDBL_##name
 #elif TL_REAL == TL_FLOAT128
 #include <quadmath.h>
-typedef __float128 tl_real;
-#define TL_C(x) x##Q
+typedef __float128 tl_number;
+#define TL_NUMBER(x) x##Q
 #define TL_LIBM(name) name##q
 #define TL_LIMIT(name) FLT128_##name
 #else
 #error "TL_REAL is none of TL_FLOAT, TL_DOUBLE, TL_LONG_DOUBLE and TL_FLOAT128"
+#endif
+
+/* tl_number is one number; tl_real one too, or several beside each other. TL_FROM(n): an integer as a tl_real. Conditions on numbers:
+ * true in some lane, in every lane; the first lane where true. */
+#ifdef TL_REAL_LANES
+#include "taylor/real_lanes.h"
+#else
+typedef tl_number tl_real;
+#define TL_FROM(n) ((tl_real)(n))
+#define TL_C(x) TL_NUMBER(x)
+#define TL_SOME(condition) (condition)
+#define TL_EVERY(condition) (condition)
+#define TL_FIRST(condition) 0
 #endif
 
 #define TL_EPSILON TL_LIMIT(EPSILON)   /* from 1 to the next larger number */
