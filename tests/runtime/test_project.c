@@ -128,7 +128,7 @@ static void agreeing_rows_are_no_difficulty_and_contradictions_are_named(void **
   const eom_status status = eom_project(sys, p, pd, 1, NULL);
   assert_true(status == EOM_INCONSISTENT || status == EOM_NO_CONSISTENT_STATE);
   assert_true(p[0] == 0.9 && p[1] == -0.8 && pd[0] == 0.4);
-  const double bad[2] = {NAN, 0};
+  const double bad[2] = {(double)NAN, 0};
   memcpy(p, bad, sizeof p);
   assert_int_equal(eom_project(sys, p, pd, 1, NULL), EOM_NOT_FINITE);
   eom_system_destroy(sys);
