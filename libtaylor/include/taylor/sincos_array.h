@@ -38,21 +38,11 @@ TL_INLINE int tl_sincos_any_four(const tl_u4 *mask) {
 #define TL_V_NAME(name) name##_four
 #include "taylor/sincos_vector.h"
 
-/* The C library for those of `count` numbers that are too large for vectors. x may be s or c. */
-static inline void tl_sincos_large(int count, tl_v4 *sine, tl_v4 *cosine, const tl_v4 *x) {
-  for (int i = 0; i < count; i++) {
-    const tl_real xi = (*x)[i];
-    if (TL_LIBM(fabs)(xi) <= TL_SINCOS_LIMIT) continue;
-    (*sine)[i] = TL_LIBM(sin)(xi);
-    (*cosine)[i] = TL_LIBM(cos)(xi);
-  }
-}
-
 /* Numbers i..i+count-1, 1 <= count <= 4. */
 TL_INLINE void tl_sincos_some(int count, const tl_real *x, tl_real *s, tl_real *c) {
   tl_v4 v = {x[0], count > 1 ? x[1] : 0.0, count > 2 ? x[2] : 0.0, 0.0}, sine, cosine;
   if (count == 4) v = TL_V4_CONST(x);
-  if (tl_sincos_vector_four(&sine, &cosine, &v)) tl_sincos_large(count, &sine, &cosine, &v);
+  if (tl_sincos_vector_four(&sine, &cosine, &v)) tl_sincos_large_four(count, &sine, &cosine, &v);
   if (count == 4) {
     TL_V4(s) = sine;
     TL_V4(c) = cosine;

@@ -18,16 +18,6 @@ TL_INLINE int tl_sincos_any_eight(const tl_u8 *mask) { return tl_lanes_any((tl_m
 #define TL_V_BITS tl_u8
 #define TL_V_NAME(name) name##_eight
 #include "taylor/sincos_vector.h"
-
-/* The C library for those that are too large. */
-static inline void tl_sincos_large_eight(tl_lanes *sine, tl_lanes *cosine, const tl_lanes *x) {
-  for (int i = 0; i < TL_LANES; i++) {
-    const tl_real xi = (*x)[i];
-    if (TL_LIBM(fabs)(xi) <= TL_SINCOS_LIMIT) continue;
-    (*sine)[i] = TL_LIBM(sin)(xi);
-    (*cosine)[i] = TL_LIBM(cos)(xi);
-  }
-}
 #endif
 
 /* s[i] = sin x[i], c[i] = cos x[i] for i < n in each lane, as tl_sincos_array has them. s and c may be x, not each other. */
@@ -36,7 +26,7 @@ TL_INLINE void tl_sincos_lanes(int n, const tl_lanes *x, tl_lanes *s, tl_lanes *
   TL_UNROLL for (int i = 0; i < n; i++) {
     const tl_lanes angle = x[i];
     tl_lanes sine, cosine;
-    if (tl_sincos_vector_eight(&sine, &cosine, &angle)) tl_sincos_large_eight(&sine, &cosine, &angle);
+    if (tl_sincos_vector_eight(&sine, &cosine, &angle)) tl_sincos_large_eight(TL_LANES, &sine, &cosine, &angle);
     s[i] = sine;
     c[i] = cosine;
   }

@@ -53,6 +53,16 @@ TL_INLINE int TL_V_NAME(tl_sincos_vector)(TL_V *sine, TL_V *cosine, const TL_V *
   return TL_V_NAME(tl_sincos_any)(&large);
 }
 
+/* The C library for those of the first `count` numbers that are too large for vectors. x may be s or c. */
+static inline void TL_V_NAME(tl_sincos_large)(int count, TL_V *sine, TL_V *cosine, const TL_V *x) {
+  for (int i = 0; i < count; i++) {
+    const tl_real xi = (*x)[i];
+    if (TL_LIBM(fabs)(xi) <= TL_SINCOS_LIMIT) continue;
+    (*sine)[i] = TL_LIBM(sin)(xi);
+    (*cosine)[i] = TL_LIBM(cos)(xi);
+  }
+}
+
 #undef TL_V
 #undef TL_V_BITS
 #undef TL_V_NAME
