@@ -1,6 +1,7 @@
 /* Assembly of M, Q, A, b and the energy: by motion functions, or from jets of the model's functions. */
 #include "eom/assemble.h"
 
+#include "baumgarte.h"
 #include "evaluate.h"
 #include "stage.h"
 
@@ -148,11 +149,17 @@ static eom_status assemble_by_motion(eom_system *sys, const tl_real *q, const tl
 }
 
 eom_status eom_assemble_parts(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
-  return eom_by_motion(sys, EOM_TASK_ASSEMBLE) ? assemble_by_motion(sys, q, qd, t) : assemble_by_calls(sys, q, qd, t);
+  const bool by_motion = eom_by_motion(sys, EOM_TASK_ASSEMBLE);
+  if ((by_motion ? assemble_by_motion : assemble_by_calls)(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  eom_stabilise_holonomic(sys);
+  eom_stabilise_nonholonomic(sys);
+  return EOM_OK;
 }
 
 eom_status eom_size_rows(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
-  return sys->m1 > 0 ? assemble_holonomic(sys, q, qd, t) : EOM_OK;
+  const eom_status status = sys->m1 > 0 ? assemble_holonomic(sys, q, qd, t) : EOM_OK;
+  if (status == EOM_OK) eom_stabilise_holonomic(sys);
+  return status;
 }
 
 eom_status eom_assemble(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {

@@ -10,6 +10,7 @@
  * where brackets mean derivatives in the tangents and coefficients in s. */
 #include "eom/linearise.h"
 
+#include "baumgarte.h"
 #include "evaluate.h"
 #include "factor.h"
 #include "stage.h"
@@ -146,7 +147,6 @@ static eom_status linearise_by_calls(eom_system *sys, const tl_real *q, const tl
     for (int i = 0; i < n; i++) sys->qdd_y[i * 2 * n + j] = -ws->rhs1[j * n + i];
     for (int r = 0; r < m; r++) sys->lambda_y[r * 2 * n + j] = -ws->rhs2[j * m + r];
   }
-  eom_solve_columns(sys, 2 * n, sys->qdd_y, sys->lambda_y);
   return EOM_OK;
 }
 
@@ -155,9 +155,7 @@ static eom_status linearise_by_calls(eom_system *sys, const tl_real *q, const tl
 static eom_status linearise_by_motion(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
   const int code =
       sys->motion->linearise(sys->params, q, qd, t, sys->qdd, sys->lambda, sys->qdd_y, sys->lambda_y, sys->workspace->motion_work);
-  if (code != 0) return eom_motion_verdict(sys, code, q, qd, t);
-  eom_solve_columns(sys, 2 * sys->n, sys->qdd_y, sys->lambda_y);
-  return EOM_OK;
+  return eom_motion_verdict(sys, code, q, qd, t);
 }
 
 /* EOM_MOTION_PIVOT also where there is no solved form. */
@@ -175,6 +173,8 @@ eom_status eom_linearise(eom_system *sys, const tl_real *q, const tl_real *qd, t
   const bool by_motion = eom_by_motion(sys, EOM_TASK_LINEARISE);
   if ((by_motion ? linearise_by_motion : linearise_by_calls)(sys, q, qd, t) != EOM_OK) return sys->report.status;
   const int n = sys->n;
+  if (eom_stabilise_derivatives(sys, sys->lambda_y, 2 * n, NULL, q, qd, t) != EOM_OK) return sys->report.status;
+  eom_solve_columns(sys, 2 * n, sys->qdd_y, sys->lambda_y);
   if (eom_check_finite(sys, "derivative of the accelerations", sys->qdd_y, 2 * n * n) != EOM_OK) return sys->report.status;
   return eom_check_finite(sys, "derivative of the multipliers", sys->lambda_y, 2 * n * sys->m);
 }

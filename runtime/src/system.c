@@ -1,4 +1,5 @@
 /* Systems: validation of the model, sizes, and one visible layout of all memory. */
+#include "baumgarte.h"
 #include "evaluate.h"
 #include "stage.h"
 
@@ -13,7 +14,8 @@ eom_options eom_options_default(void) {
                        .rank_tolerance = TL_EPSILON * TL_C(450360.0), /* 1e-10 in double */
                        .consistency_tolerance = TL_LIBM(sqrt)(TL_EPSILON),
                        .linalg = EOM_LINALG_AUTO,
-                       .emitter = EOM_EMITTER_AUTO};
+                       .emitter = EOM_EMITTER_AUTO,
+                       .baumgarte = {TL_C(0.0), TL_C(0.0)}};
 }
 
 /* ---- memory ---- */
@@ -104,6 +106,7 @@ static void take_private(eom_system *sys, eom_workspace *ws, eom_arena *a) {
     ws->sol1 = eom_arena_reals(a, n);
     ws->sol2 = eom_arena_reals(a, m);
     take_lanes(&ws->lanes, n, m, a);
+    ws->pull = eom_arena_reals(a, eom_is_stabilised(sys) ? 2 * n : 0);
   }
   ws->motion_work = eom_arena_reals(a, sys->motion ? sys->motion->work : 0);
   ws->jets = eom_arena_reals(a, ws->njets);
@@ -144,12 +147,16 @@ static bool plan_sizes(eom_system *sys, const eom_model *model, const void *para
   return true;
 }
 
+static bool is_gain(tl_real x) { return x >= TL_C(0.0) && x <= TL_MAX; }
+
 static bool plan_options(eom_system *sys, const eom_options *given) {
   sys->options = given ? *given : eom_options_default();
   const eom_options *o = &sys->options;
   if (o->needs & ~(unsigned)EOM_NEED_ALL) return false;
   if (!(o->rank_tolerance >= TL_C(0.0) && o->rank_tolerance < TL_C(1.0))) return false;
   if (!(o->consistency_tolerance >= TL_C(0.0) && o->consistency_tolerance < TL_C(1.0))) return false;
+  if (!is_gain(o->baumgarte.alpha) || !is_gain(o->baumgarte.beta)) return false;
+  if (eom_is_stabilised(sys) && o->needs & EOM_NEED_PARAMETERS) return false;
   if (o->weights)
     for (int i = 0; i < sys->m; i++)
       if (!(o->weights[i] > TL_C(0.0) && o->weights[i] <= TL_MAX)) return false;
@@ -209,9 +216,9 @@ static void plan_holonomic(const eom_system *sys, eom_workspace *ws, eom_stage_i
   admit_all(&ws->stage[id], sys->model->holonomic, sys->model->nholonomic, sys->params);
 }
 
-static void plan_nonholonomic(const eom_system *sys, eom_workspace *ws, eom_stage_id id, tl_spec spec) {
+static void plan_nonholonomic(const eom_system *sys, eom_workspace *ws, eom_stage_id id, tl_spec spec, int first_q, int first_qd) {
   if (sys->m2 == 0) return;
-  use_stage(ws, id, spec, -1, 0);
+  use_stage(ws, id, spec, first_q, first_qd);
   admit_all(&ws->stage[id], sys->model->nonholonomic, sys->model->nnonholonomic, sys->params);
 }
 
@@ -219,10 +226,11 @@ static void plan_nonholonomic(const eom_system *sys, eom_workspace *ws, eom_stag
 static void plan_stages(const eom_system *sys, eom_workspace *ws) {
   const int n = sys->n;
   plan_holonomic(sys, ws, STAGE_HOLONOMIC, tl_motion(2, n));
+  if (eom_is_stabilised(sys)) plan_nonholonomic(sys, ws, STAGE_PULL, tl_jacobian(n), 0, -1);
   if (ws->emitter[EOM_TASK_ENERGY] == EOM_EMITTER_CALLS) plan_lagrangian(sys, ws, STAGE_ENERGY, tl_jacobian(n), -1, 0);
   if (ws->emitter[EOM_TASK_ASSEMBLE] == EOM_EMITTER_CALLS) {
     plan_lagrangian(sys, ws, STAGE_MASS, tl_hessian(n), -1, 0);
-    plan_nonholonomic(sys, ws, STAGE_NONHOLONOMIC, tl_motion(1, n));
+    plan_nonholonomic(sys, ws, STAGE_NONHOLONOMIC, tl_motion(1, n), -1, 0);
   }
   if (ws->emitter[EOM_TASK_ASSEMBLE] == EOM_EMITTER_CALLS || ws->emitter[EOM_TASK_RESIDUAL] == EOM_EMITTER_CALLS) {
     plan_lagrangian(sys, ws, STAGE_FORCE, tl_motion(1, 2 * n), 0, n);

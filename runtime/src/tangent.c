@@ -1,6 +1,7 @@
 /* Derivatives in directions and with respect to parameters: M dqdd - A' dlambda = -dr, A dqdd = -dg with the factors of the motion. */
 #include "eom/tangent.h"
 
+#include "baumgarte.h"
 #include "eom/linearise.h"
 #include "evaluate.h"
 #include "stage.h"
@@ -36,6 +37,7 @@ static eom_status tangent_by_motion(eom_system *sys, tl_real *dqdd, tl_real *dla
   if (eom_solve_at(sys, q, qd, t) != EOM_OK) return sys->report.status;
   const int code = motion->tangent(sys->params, q, qd, t, sys->qdd, sys->lambda, k, w, dqdd, dlambda, work);
   if (code != 0) return eom_motion_verdict(sys, code, q, qd, t);
+  if (eom_stabilise_derivatives(sys, dlambda, k, w, q, qd, t) != EOM_OK) return sys->report.status;
   eom_solve_columns(sys, k, dqdd, dlambda);
   return EOM_OK;
 }

@@ -18,6 +18,7 @@ typedef enum eom_stage_id {
   STAGE_LINEARISE,       /* {1,s} x C(2n,2) */
   STAGE_GAMMA_LINEARISE, /* {1} x C(2n,1) */
   STAGE_CURVATURE,       /* {1} x C(n,2), tangents on q */
+  STAGE_PULL,            /* {1} x C(n,1), tangents on q */
   STAGE_LOCATE,          /* {1,s,s2} */
   STAGE_COUNT
 } eom_stage_id;
@@ -83,6 +84,7 @@ struct eom_workspace {
   tl_real *rhs1, *rhs2; /* right-hand sides of n, of m: 2n of them where calls linearise, else one; null where none are solved for */
   tl_real *sol1, *sol2; /* n, m: a solution */
   eom_lanes lanes;      /* likewise */
+  tl_real *pull;        /* 2n: derivative of Baumgarte's terms of one row; likewise, where there are such */
 
   eom_emitter emitter[EOM_TASK_COUNT]; /* AUTO: not needed */
   tl_real *motion_work;

@@ -1,17 +1,20 @@
 #!/usr/bin/env python3
 """Prints constrained_motion.txt: accelerations, multipliers and their derivatives of the models in tests/runtime/constrained_models.c.
+With --gains 3 5 it prints stabilised_motion.txt: the same with Baumgarte's terms for alpha = 3 and beta = 5 1/s.
 
 Shares nothing with the library: M, Q, A, b by central differences of plain functions in 220-digit arithmetic (steps 1e-50: errors of
 1e-90), qdd and lambda by Gaussian elimination of [M -A'; A 0], derivatives by central differences of the solution (step 1e-24: errors
 below 1e-40). Numbers are the doubles that the C models use. Needs mpmath.
 """
 import random
+import sys
 from mpmath import mp, mpf, sin, cos, sqrt, matrix, lu_solve, nstr
 
 mp.dps = 220
 H = mpf(10) ** -50   # differences of the model's functions
 H2 = mpf(10) ** -24  # differences of the solution
 G = mpf(9.81)
+ALPHA, BETA = [mpf(x) for x in sys.argv[2:4]] if sys.argv[1:2] == ['--gains'] else (0, 0)
 
 
 def quaternion_rates(q, v):
@@ -65,7 +68,7 @@ def moved(x, i, h):
 
 
 def solve(model, q, v, t):
-    """qdd and lambda of M qdd - A' lambda = Q, A qdd = b."""
+    """qdd and lambda of M qdd - A' lambda = Q, A qdd = b, less 2 alpha phi' + beta^2 phi and alpha psi in b."""
     n, L, force, phi, psi = model
 
     def mixed_difference(f):  # d2f/da db at 0
@@ -85,10 +88,12 @@ def solve(model, q, v, t):
     A, b = [], []
     for r in range(len(phi(q, t))):
         A.append([(phi(moved(q, k, H), t)[r] - phi(moved(q, k, -H), t)[r])/(2*H) for k in range(n)])
-        b.append(-(phi(*along(H))[r] - 2*phi(q, t)[r] + phi(*along(-H))[r])/H**2)
+        before, now, after = phi(*along(-H))[r], phi(q, t)[r], phi(*along(H))[r]
+        b.append(-(after - 2*now + before)/H**2 - ALPHA*(after - before)/H - BETA**2*now)
     for r in range(len(psi(q, v, t))):
         A.append([(psi(q, moved(v, k, H), t)[r] - psi(q, moved(v, k, -H), t)[r])/(2*H) for k in range(n)])
-        b.append(-(psi(along(H)[0], v, along(H)[1])[r] - psi(along(-H)[0], v, along(-H)[1])[r])/(2*H))
+        b.append(-(psi(along(H)[0], v, along(H)[1])[r] - psi(along(-H)[0], v, along(-H)[1])[r])/(2*H)
+                 - ALPHA*psi(q, v, t)[r])
     m = len(A)
     K = matrix(n + m, n + m)
     for i in range(n):
@@ -103,7 +108,7 @@ def solve(model, q, v, t):
 
 def main():
     random.seed(30)
-    print('# Constrained motion in 40 digits, printed by constrained_motion.py. Each line: model n m t q[n] qd[n] qdd[n] lambda[m]')
+    print(f'# Constrained motion in 40 digits, printed by {" ".join(["constrained_motion.py"] + sys.argv[1:])}. Each line: model n m t q[n] qd[n] qdd[n] lambda[m]')
     print('# dqdd/d(q,qd)[n x 2n] dlambda/d(q,qd)[m x 2n].')
     for name, model in MODELS.items():
         n = model[0]

@@ -1,4 +1,5 @@
-/* Constrained accelerations, multipliers and their derivatives against 40-digit references, for automatic and for any given weights. */
+/* Constrained accelerations, multipliers and their derivatives against 40-digit references, for automatic and for any given weights,
+ * without and with Baumgarte's terms. */
 #include "close.h"
 #include "constrained_models.h"
 #include "data.h"
@@ -52,11 +53,12 @@ static double error_of(const char *what, const reference *r, const double *actua
 }
 
 /* Linearises at the reference's state with weights w (0: automatic) and returns the worst errors in error[4]. */
-static void check(const reference *r, double w, double *error) {
+static void check(const reference *r, double w, eom_baumgarte gains, double *error) {
   double weights[8];
   for (int i = 0; i < 8; i++) weights[i] = w;
   eom_options options = eom_options_default();
   if (w > 0) options.weights = weights;
+  options.baumgarte = gains;
   eom_system *sys;
   assert_int_equal(eom_system_create(&sys, r->model, NULL, &options), EOM_OK);
   assert_int_equal(sys->n, r->n);
@@ -72,8 +74,8 @@ static void check(const reference *r, double w, double *error) {
   eom_system_destroy(sys);
 }
 
-static void agree(const double *weights, int count) {
-  FILE *file = data_open("constrained_motion.txt");
+static void agree(const char *data, eom_baumgarte gains, const double *weights, int count) {
+  FILE *file = data_open(data);
   data_line line;
   int lines = 0;
   double error[4] = {0};
@@ -81,7 +83,7 @@ static void agree(const double *weights, int count) {
   while (data_next(file, &line)) {
     const reference r = reference_of(&line);
     if (lines++ % 4 == 0) memset(error, 0, sizeof error);
-    for (int i = 0; i < count; i++) check(&r, weights[i], error);
+    for (int i = 0; i < count; i++) check(&r, weights[i], gains, error);
     last = r.model->name;
     if (lines % 4 == 0)
       print_message("%-26s qdd %.1e  lambda %.1e  dqdd/dy %.1e  dlambda/dy %.1e\n", last, error[0], error[1], error[2], error[3]);
@@ -92,15 +94,21 @@ static void agree(const double *weights, int count) {
 
 static void automatic_weights(void **state) {
   (void)state;
-  agree((const double[]){0}, 1);
+  agree("constrained_motion.txt", (eom_baumgarte){0, 0}, (const double[]){0}, 1);
 }
 
 static void any_weights(void **state) {
   (void)state;
-  agree((const double[]){1e-8, 1e-4, 1, 1e4, 1e8}, 5);
+  agree("constrained_motion.txt", (eom_baumgarte){0, 0}, (const double[]){1e-8, 1e-4, 1, 1e4, 1e8}, 5);
+}
+
+/* At states far from the constraints, where the terms are as large as the rest. */
+static void stabilised(void **state) {
+  (void)state;
+  agree("stabilised_motion.txt", (eom_baumgarte){3, 5}, (const double[]){0, 1e-4, 1e4}, 3);
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(automatic_weights), cmocka_unit_test(any_weights)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(automatic_weights), cmocka_unit_test(any_weights), cmocka_unit_test(stabilised)};
   return cmocka_run_group_tests_name("constrained", tests, NULL, NULL);
 }

@@ -47,6 +47,12 @@ typedef enum eom_linalg_choice {
   EOM_LINALG_LAPACK /* LAPACKE; BAD_OPTION in a build without it */
 } eom_linalg_choice;
 
+/* Baumgarte's stabilisation: phi'' + 2 alpha phi' + beta^2 phi = 0 and psi' + alpha psi = 0 take the place of phi'' = 0 and psi' = 0,
+ * so that a state beside the constraints tends to them: alpha = beta without oscillation. In every acceleration, b and derivative. */
+typedef struct eom_baumgarte {
+  tl_real alpha, beta; /* 1/s, at least 0 */
+} eom_baumgarte;
+
 typedef struct eom_options {
   unsigned needs;         /* EOM_NEED_ bits; default EOM_NEED_LINEARISE */
   const tl_real *weights; /* W of eq 31: m positive numbers, copied by init; null (default): used only where M needs it, scaled to M.
@@ -58,6 +64,8 @@ typedef struct eom_options {
                                     part of the largest acceleration; default sqrt(epsilon) */
   eom_linalg_choice linalg;      /* default EOM_LINALG_AUTO */
   eom_emitter emitter;           /* default EOM_EMITTER_AUTO */
+  eom_baumgarte baumgarte;       /* default none: 0, 0. BAD_OPTION with EOM_NEED_PARAMETERS where there are constraints: derivatives
+                                    with respect to parameters do not know them */
 } eom_options;
 
 /* All defaults. */
@@ -81,7 +89,7 @@ typedef struct eom_system {
   tl_real *M;       /* n x n, symmetric to the bit */
   tl_real *Q;       /* n: Gamma + dL/dq - d/dt(dL/dqd) at qdd = 0 */
   tl_real *A;       /* m x n: dphi/dq above dpsi/dqd */
-  tl_real *b;       /* m */
+  tl_real *b;       /* m; with the terms of options.baumgarte */
   tl_real *phi;     /* m1: phi(q,t), zero on the manifold */
   tl_real *phi_dot; /* m1: d phi/dt, zero on the manifold */
   tl_real *psi;     /* m2: psi(q,qd,t), zero on the manifold */
