@@ -78,6 +78,7 @@ eom_status eom_stabilise_derivatives(eom_system *sys, tl_real *g, int k, const t
     if (add_functions(sys, model->holonomic, model->nholonomic, 0, by_s, g, k, w) != EOM_OK) return sys->report.status;
   }
   if (sys->m2 == 0) return EOM_OK;
-  eom_stage_seed(sys, STAGE_PULL, q, qd, NULL, t);
-  return add_functions(sys, model->nonholonomic, model->nnonholonomic, sys->m1, ws->stage[STAGE_PULL].shape->start[1], g, k, w);
+  eom_stage_seed(sys, STAGE_NONHOLONOMIC_Q, q, qd, NULL, t);
+  return add_functions(sys, model->nonholonomic, model->nnonholonomic, sys->m1, ws->stage[STAGE_NONHOLONOMIC_Q].shape->start[1], g, k,
+                       w);
 }

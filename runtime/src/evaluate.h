@@ -30,6 +30,9 @@ eom_status eom_solve_at(eom_system *sys, const tl_real *q, const tl_real *qd, tl
  * sys->lambda. */
 eom_status eom_linearised_terms(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t);
 
+/* eom_linearise by the general solver: afterwards the assembled parts and the factors are those of the state. */
+eom_status eom_linearise_factored(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t);
+
 /* What a solved form of the motion functions returned, as a status with the report of a solution. */
 eom_status eom_solved_by_motion(eom_system *sys, int code, const tl_real *q, const tl_real *qd, tl_real t);
 

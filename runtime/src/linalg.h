@@ -35,6 +35,9 @@ typedef struct eom_linalg {
 /* Numbers of workspace for qr and apply of m vectors of n. */
 int eom_linalg_work(int n, int m);
 
+/* c = a b for row-major a (rows x k) and b (k x columns). */
+void eom_multiply(int rows, int k, int columns, tl_real *c, const tl_real *a, const tl_real *b);
+
 extern const eom_linalg eom_linalg_core;
 #ifdef EOM_HAVE_LAPACKE
 extern const eom_linalg eom_linalg_lapacke;

@@ -169,3 +169,12 @@ const eom_linalg eom_linalg_core = {.name = "core",
                                     .solve_upper_transposed = solve_upper_transposed};
 
 int eom_linalg_work(int n, int m) { return 32 * (n + m) + 2 * m + n + 64; }
+
+void eom_multiply(int rows, int k, int columns, tl_real *c, const tl_real *a, const tl_real *b) {
+  for (int i = 0; i < rows; i++)
+    for (int j = 0; j < columns; j++) {
+      tl_real sum = TL_C(0.0);
+      for (int l = 0; l < k; l++) sum += a[i * k + l] * b[l * columns + j];
+      c[i * columns + j] = sum;
+    }
+}

@@ -168,7 +168,10 @@ eom_status eom_linearise(eom_system *sys, const tl_real *q, const tl_real *qd, t
   assert(sys && (sys->options.needs & EOM_NEED_LINEARISE));
   if (eom_start(sys, q, qd, t) != EOM_OK) return sys->report.status;
   const int code = solved_form(sys, q, qd, t);
-  if (code != EOM_MOTION_PIVOT) return eom_solved_by_motion(sys, code, q, qd, t);
+  return code == EOM_MOTION_PIVOT ? eom_linearise_factored(sys, q, qd, t) : eom_solved_by_motion(sys, code, q, qd, t);
+}
+
+eom_status eom_linearise_factored(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
   if (eom_solve_at(sys, q, qd, t) != EOM_OK) return sys->report.status;
   const bool by_motion = eom_by_motion(sys, EOM_TASK_LINEARISE);
   if ((by_motion ? linearise_by_motion : linearise_by_calls)(sys, q, qd, t) != EOM_OK) return sys->report.status;

@@ -99,6 +99,20 @@ void eom_solve_columns(eom_system *sys, int k, tl_real *r, tl_real *g) {
     solve_each(sys, k, r, g);
 }
 
+static eom_status check_columns(eom_system *sys, const char *name, int k, const tl_real *x, const tl_real *y) {
+  if (eom_check_finite(sys, name, x, sys->n * k) != EOM_OK) return sys->report.status;
+  return eom_check_finite(sys, name, y, sys->m * k);
+}
+
+eom_status eom_solve_more(eom_system *sys, int k, tl_real *x, tl_real *y) {
+  assert(sys && k > 0 && x && (y || sys->m == 0) && sys->workspace->sol1);
+  if (check_columns(sys, "right-hand side", k, x, y) != EOM_OK) return sys->report.status;
+  for (int i = 0; i < sys->n * k; i++) x[i] = -x[i];
+  for (int i = 0; i < sys->m * k; i++) y[i] = -y[i];
+  eom_solve_columns(sys, k, x, y);
+  return check_columns(sys, "solution", k, x, y);
+}
+
 int eom_rhs(void *user, tl_real t, const tl_real *y, tl_real *ydot) {
   eom_system *sys = user;
   const size_t n = (size_t)sys->n;

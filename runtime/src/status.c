@@ -44,7 +44,7 @@ static void put_function(writer *w, const eom_report *r) {
 }
 
 static void put_row(writer *w, const eom_row *row) {
-  static const char *const kind[] = {"independent", "dependent on the others", "inconsistent with the others"};
+  static const char *const kind[] = {"independent", "dependent on the others", "inconsistent with the others", "not satisfied"};
   put(w, "  %s[%d]", row->name, row->row);
   if (row->source) put(w, " (%s)", row->source);
   put(w, ": %s\n", kind[row->kind]);

@@ -222,11 +222,13 @@ static void plan_nonholonomic(const eom_system *sys, eom_workspace *ws, eom_stag
   admit_all(&ws->stage[id], sys->model->nonholonomic, sys->model->nnonholonomic, sys->params);
 }
 
-/* The stages of what calls evaluate, and two that motion functions need beside them: see eom_size_rows and eom_motion_verdict. */
+/* The stages of what calls evaluate, and those that motion functions need beside them: see eom_size_rows, eom_motion_verdict and
+ * eom_linearise_minimal. */
 static void plan_stages(const eom_system *sys, eom_workspace *ws) {
   const int n = sys->n;
   plan_holonomic(sys, ws, STAGE_HOLONOMIC, tl_motion(2, n));
-  if (eom_is_stabilised(sys)) plan_nonholonomic(sys, ws, STAGE_PULL, tl_jacobian(n), 0, -1);
+  if (eom_is_stabilised(sys) || (sys->options.needs & EOM_NEED_LINEARISE))
+    plan_nonholonomic(sys, ws, STAGE_NONHOLONOMIC_Q, tl_jacobian(n), 0, -1);
   if (ws->emitter[EOM_TASK_ENERGY] == EOM_EMITTER_CALLS) plan_lagrangian(sys, ws, STAGE_ENERGY, tl_jacobian(n), -1, 0);
   if (ws->emitter[EOM_TASK_ASSEMBLE] == EOM_EMITTER_CALLS) {
     plan_lagrangian(sys, ws, STAGE_MASS, tl_hessian(n), -1, 0);

@@ -8,21 +8,11 @@
 
 #include <assert.h>
 
-/* c = a w for a (rows x d) and w (d x k). */
-static void multiply(int rows, int d, int k, tl_real *c, const tl_real *a, const tl_real *w) {
-  for (int i = 0; i < rows; i++)
-    for (int j = 0; j < k; j++) {
-      tl_real sum = TL_C(0.0);
-      for (int l = 0; l < d; l++) sum += a[i * d + l] * w[l * k + j];
-      c[i * k + j] = sum;
-    }
-}
-
 static eom_status tangent_by_calls(eom_system *sys, tl_real *dqdd, tl_real *dlambda, int k, const tl_real *w, const tl_real *q,
                                    const tl_real *qd, tl_real t) {
   if (eom_linearise(sys, q, qd, t) != EOM_OK) return sys->report.status;
-  multiply(sys->n, 2 * sys->n, k, dqdd, sys->qdd_y, w);
-  multiply(sys->m, 2 * sys->n, k, dlambda, sys->lambda_y, w);
+  eom_multiply(sys->n, 2 * sys->n, k, dqdd, sys->qdd_y, w);
+  eom_multiply(sys->m, 2 * sys->n, k, dlambda, sys->lambda_y, w);
   return EOM_OK;
 }
 

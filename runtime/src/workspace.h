@@ -18,7 +18,7 @@ typedef enum eom_stage_id {
   STAGE_LINEARISE,       /* {1,s} x C(2n,2) */
   STAGE_GAMMA_LINEARISE, /* {1} x C(2n,1) */
   STAGE_CURVATURE,       /* {1} x C(n,2), tangents on q */
-  STAGE_PULL,            /* {1} x C(n,1), tangents on q */
+  STAGE_NONHOLONOMIC_Q,  /* {1} x C(n,1), tangents on q */
   STAGE_LOCATE,          /* {1,s,s2} */
   STAGE_COUNT
 } eom_stage_id;

@@ -364,6 +364,45 @@ static void same_motion_from_lapack(void **state) {
   eom_system_destroy(core);
 }
 
+/* The equations of motion once more beside other right-hand sides: the same solution; the others satisfy their equations. */
+static void more_right_hand_sides(void **state) {
+  (void)state;
+  enum { COLUMNS = 11 }; /* more than what is solved for together */
+  rng r = {8};
+  for (int i = 0; i < nconstrained_models; i++) {
+    eom_system *sys = start(constrained_models[i], NULL, NULL);
+    double q[4], qd[4], x[4 * COLUMNS], y[2 * COLUMNS], R[4 * COLUMNS], G[2 * COLUMNS], largest = 1;
+    const int n = sys->n, m = sys->m;
+    for (int j = 0; j < n; j++) q[j] = rng_uniform(&r, 0.4, 1.2), qd[j] = rng_uniform(&r, -1, 1);
+    assert_int_equal(eom_assemble(sys, q, qd, 0.5), EOM_OK);
+    assert_int_equal(eom_solve(sys), EOM_OK);
+    for (int j = 0; j < n * COLUMNS; j++) x[j] = R[j] = j % COLUMNS ? rng_uniform(&r, -1, 1) : sys->Q[j / COLUMNS];
+    for (int j = 0; j < m * COLUMNS; j++) y[j] = G[j] = j % COLUMNS ? rng_uniform(&r, -1, 1) : sys->b[j / COLUMNS];
+    assert_int_equal(eom_solve_more(sys, COLUMNS, x, y), EOM_OK);
+    for (int j = 0; j < n * COLUMNS; j++) largest = fmax(largest, fabs(x[j]));
+    for (int j = 0; j < m * COLUMNS; j++) largest = fmax(largest, fabs(y[j]));
+    for (int j = 0; j < n; j++) assert_close(x[j * COLUMNS], sys->qdd[j], 1e-13, 1e-13 * largest);
+    for (int j = 0; j < m; j++) assert_close(y[j * COLUMNS], sys->lambda[j], 1e-13, 1e-13 * largest);
+    for (int c = 0; c < COLUMNS; c++) {
+      for (int j = 0; j < n; j++) {
+        double left = 0, right = R[j * COLUMNS + c];
+        for (int k = 0; k < n; k++) left += sys->M[j * n + k] * x[k * COLUMNS + c];
+        for (int k = 0; k < m; k++) right += sys->A[k * n + j] * y[k * COLUMNS + c];
+        assert_close(left, right, 0, 1e-13 * largest);
+      }
+      for (int j = 0; j < m; j++) {
+        double left = 0;
+        for (int k = 0; k < n; k++) left += sys->A[j * n + k] * x[k * COLUMNS + c];
+        assert_close(left, G[j * COLUMNS + c], 0, 1e-13 * largest);
+      }
+    }
+    x[n * COLUMNS - 1] = (double)INFINITY;
+    assert_int_equal(eom_solve_more(sys, COLUMNS, x, y), EOM_NOT_FINITE);
+    assert_string_equal(sys->report.function, "right-hand side");
+    eom_system_destroy(sys);
+  }
+}
+
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(scaled_rows),
                                      cmocka_unit_test(repeated_rows),
@@ -382,6 +421,7 @@ int main(void) {
                                      cmocka_unit_test(input_that_is_not_finite),
                                      cmocka_unit_test(point_outside_the_domain),
                                      cmocka_unit_test(ill_conditioned_rows),
+                                     cmocka_unit_test(more_right_hand_sides),
                                      cmocka_unit_test(same_motion_from_lapack)};
   return cmocka_run_group_tests_name("solve", tests, NULL, NULL);
 }

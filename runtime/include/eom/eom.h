@@ -6,6 +6,8 @@
 #include "eom/integrate.h"
 #include "eom/linearise.h"
 #include "eom/lyapunov.h"
+#include "eom/minimal.h"
+#include "eom/modes.h"
 #include "eom/project.h"
 #include "eom/solve.h"
 #include "eom/system.h"

@@ -21,6 +21,9 @@ extern "C" {
   X(NO_INERTIA, "the mass matrix is not positive definite on the motions that the constraints allow")                                  \
   X(INCONSISTENT, "constraints contradict each other")                                                                                 \
   X(NO_CONSISTENT_STATE, "no state that satisfies the constraints was found near this one")                                            \
+  X(OFF_CONSTRAINTS, "the state does not satisfy the constraints")                                                                     \
+  X(NO_EQUILIBRIUM, "no state without acceleration was found near this one")                                                           \
+  X(NO_EIGENVALUES, "the eigenvalues were not found")                                                                                  \
   X(NOT_INVERSE, "the two coordinate transformations are not inverse to each other")                                                   \
   X(RHS_FAILED, "the right-hand side reported a failure of its own")                                                                   \
   X(STOPPED, "the observer asked to stop")
@@ -35,7 +38,7 @@ typedef enum eom_status {
 const char *eom_status_text(eom_status status);
 
 /* A constraint row that the solver had something to say about. */
-typedef enum eom_row_kind { EOM_ROW_INDEPENDENT, EOM_ROW_DEPENDENT, EOM_ROW_INCONSISTENT } eom_row_kind;
+typedef enum eom_row_kind { EOM_ROW_INDEPENDENT, EOM_ROW_DEPENDENT, EOM_ROW_INCONSISTENT, EOM_ROW_VIOLATED } eom_row_kind;
 
 typedef struct eom_row {
   const char *name;   /* of the constraint function in the user's source */

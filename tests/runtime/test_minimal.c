@@ -1,0 +1,249 @@
+/* Linear models in minimal coordinates: a basis of what constraints allow, unique whoever does the linear algebra, and errors. */
+#include "close.h"
+#include "constrained_models.h"
+#include "random.h"
+
+#include "eom/eom.h"
+
+#include <math.h>
+#include <stdbool.h>
+#include <stdlib.h>
+#include <string.h>
+
+enum { MOST = 4, ROWS = 2, TRIES = 20 };
+
+/* Entries of bases at these states, whose conditions are below 1e3. */
+#define BASIS_TOLERANCE 1e-12
+
+typedef struct fixture {
+  eom_system *sys;
+  void *memory;
+  size_t bytes;
+} fixture;
+
+static fixture start(const eom_model *model, eom_linalg_choice linalg, const double *weights) {
+  eom_options options = eom_options_default();
+  options.linalg = linalg;
+  options.weights = weights;
+  fixture f;
+  assert_int_equal(eom_system_create(&f.sys, model, NULL, &options), EOM_OK);
+  assert_true(f.sys->n <= MOST && f.sys->m <= ROWS);
+  f.bytes = eom_minimal_bytes(f.sys);
+  f.memory = malloc(f.bytes);
+  assert_non_null(f.memory);
+  return f;
+}
+
+static void stop(fixture *f) {
+  free(f->memory);
+  eom_system_destroy(f->sys);
+}
+
+/* A state on the constraints; false where there is none near. */
+static bool draw(rng *r, eom_system *sys, double *q, double *qd, double t) {
+  for (int i = 0; i < sys->n; i++) q[i] = rng_uniform(r, 0.4, 1.2), qd[i] = rng_uniform(r, -1, 1);
+  return eom_project(sys, q, qd, t, NULL) == EOM_OK;
+}
+
+static eom_minimal linearise(fixture *f, const double *q, const double *qd, double t) {
+  eom_minimal m;
+  assert_int_equal(eom_linearise_minimal(f->sys, &m, q, qd, t, f->memory, f->bytes), EOM_OK);
+  return m;
+}
+
+/* phi, phi_dot and psi at y + h times column k of Z. */
+static void rows_beside(eom_system *sys, const eom_minimal *m, int k, double h, const double *q, const double *qd, double t,
+                        double *rows) {
+  double x[MOST], u[MOST];
+  for (int i = 0; i < m->n; i++) x[i] = q[i] + h * m->Z[i * m->d + k], u[i] = qd[i] + h * m->Z[(m->n + i) * m->d + k];
+  assert_int_equal(eom_assemble(sys, x, u, t), EOM_OK);
+  for (int i = 0; i < sys->m1; i++) rows[i] = sys->phi[i], rows[sys->m1 + i] = sys->phi_dot[i];
+  for (int i = 0; i < sys->m2; i++) rows[2 * sys->m1 + i] = sys->psi[i];
+}
+
+/* By central differences: no row changes along any column of Z, to first order. */
+static void assert_tangent(eom_system *sys, const eom_minimal *m, const double *q, const double *qd, double t) {
+  const double h = 1e-5, tolerance = 1e-8; /* truncation of h^2 times third derivatives, and rounding of 1e-16/h */
+  for (int k = 0; k < m->d; k++) {
+    double above[2 * ROWS], below[2 * ROWS], length = 0;
+    rows_beside(sys, m, k, h, q, qd, t, above), rows_beside(sys, m, k, -h, q, qd, t, below);
+    for (int i = 0; i < 2 * m->n; i++) length = fmax(length, fabs(m->Z[i * m->d + k]));
+    for (int r = 0; r < 2 * sys->m1 + sys->m2; r++)
+      assert_close((above[r] - below[r]) / (2 * h), 0, 0, tolerance * (1 + pow(length, 3)));
+  }
+}
+
+static double product(const double *a, int stride_a, const double *b, int stride_b, int count) {
+  double sum = 0;
+  for (int i = 0; i < count; i++) sum += a[i * stride_a] * b[i * stride_b];
+  return sum;
+}
+
+/* S Z = 1. */
+static void assert_inverse(const eom_minimal *m) {
+  for (int i = 0; i < m->d; i++)
+    for (int j = 0; j < m->d; j++) assert_close(product(m->S + i * 2 * m->n, 1, m->Z + j, m->d, 2 * m->n), i == j, 0, BASIS_TOLERANCE);
+}
+
+/* Of the positions, and of the velocities, vector k alone of 0..k moves coordinate[k]. */
+static void assert_ordered(const eom_minimal *m) {
+  for (int k = 0; k < m->d; k++) {
+    const int first = k < m->nq ? 0 : m->nq, base = k < m->nq ? 0 : m->n;
+    const double *row = m->Z + (base + m->coordinate[k]) * m->d;
+    assert_true(row[k] > 0);
+    for (int j = k + 1; j < (k < m->nq ? m->nq : m->d); j++) assert_true(row[j] == 0);
+    for (int j = first; j < k; j++) assert_true(m->coordinate[j] != m->coordinate[k]);
+  }
+}
+
+/* F = S F_y Z. */
+static void assert_reduced(const eom_system *sys, const eom_minimal *m) {
+  const int n = m->n, d = m->d;
+  double F[4 * MOST * MOST], FZ[4 * MOST * MOST], largest = 1;
+  eom_state_matrix(sys, F);
+  for (int i = 0; i < 2 * n; i++)
+    for (int j = 0; j < d; j++)
+      FZ[i * d + j] = product(F + i * 2 * n, 1, m->Z + j, d, 2 * n), largest = fmax(largest, fabs(FZ[i * d + j]));
+  for (int i = 0; i < d; i++)
+    for (int j = 0; j < d; j++)
+      assert_close(product(m->S + i * 2 * n, 1, FZ + j, d, 2 * n), m->F[i * d + j], 0, BASIS_TOLERANCE * largest);
+}
+
+static void every_model_has_a_basis(void **state) {
+  (void)state;
+  rng r = {1};
+  for (int i = 0; i < nconstrained_models; i++) {
+    fixture f = start(constrained_models[i], EOM_LINALG_AUTO, NULL);
+    int drawn = 0;
+    for (int k = 0; k < TRIES; k++) {
+      double q[MOST], qd[MOST];
+      const double t = rng_uniform(&r, 0, 1);
+      if (!draw(&r, f.sys, q, qd, t)) continue;
+      drawn++;
+      const eom_minimal m = linearise(&f, q, qd, t);
+      assert_int_equal(m.nq, f.sys->n - f.sys->m1);
+      assert_int_equal(m.d, 2 * f.sys->n - 2 * f.sys->m1 - f.sys->m2);
+      assert_reduced(f.sys, &m), assert_inverse(&m), assert_ordered(&m), assert_tangent(f.sys, &m, q, qd, t);
+    }
+    assert_true(drawn > TRIES / 2);
+    stop(&f);
+  }
+}
+
+#ifdef EOM_HAVE_LAPACKE
+static void the_basis_does_not_depend_on_who_computes_it(void **state) {
+  (void)state;
+  rng r = {2};
+  for (int i = 0; i < nconstrained_models; i++) {
+    fixture core = start(constrained_models[i], EOM_LINALG_CORE, NULL), lapack = start(constrained_models[i], EOM_LINALG_LAPACK, NULL);
+    for (int k = 0; k < TRIES; k++) {
+      double q[MOST], qd[MOST];
+      const double t = rng_uniform(&r, 0, 1);
+      if (!draw(&r, core.sys, q, qd, t)) continue;
+      const eom_minimal a = linearise(&core, q, qd, t), b = linearise(&lapack, q, qd, t);
+      assert_int_equal(a.d, b.d);
+      assert_memory_equal(a.coordinate, b.coordinate, (size_t)a.d * sizeof(int));
+      for (int e = 0; e < 2 * a.n * a.d; e++) assert_close(a.Z[e], b.Z[e], BASIS_TOLERANCE, BASIS_TOLERANCE);
+    }
+    stop(&core), stop(&lapack);
+  }
+}
+#endif
+
+/* Coefficients but the first of the characteristic polynomial, by the traces of powers (Newton's identities). */
+static void characteristic(const eom_minimal *m, double *c) {
+  double power[64] = {0}, next[64], trace[8];
+  const int d = m->d;
+  assert_true(d <= 8);
+  for (int i = 0; i < d; i++) power[i * d + i] = 1;
+  for (int k = 0; k < d; k++) {
+    for (int i = 0; i < d; i++)
+      for (int j = 0; j < d; j++) next[i * d + j] = product(power + i * d, 1, m->F + j, d, d);
+    memcpy(power, next, sizeof power);
+    trace[k] = 0;
+    for (int i = 0; i < d; i++) trace[k] += power[i * d + i];
+    c[k] = -trace[k];
+    for (int j = 0; j < k; j++) c[k] -= c[j] * trace[k - 1 - j];
+    c[k] /= k + 1;
+  }
+}
+
+/* At any state where all rows are holonomic; where they are not, calM is the metric of positions, which matters away from equilibria.
+ */
+static void eigenvalues_do_not_depend_on_weights(void **state) {
+  (void)state;
+  rng r = {3};
+  const double weights[2][ROWS] = {{1e-2, 1e-2}, {1e2, 1e2}};
+  for (int i = 0; i < nconstrained_models; i++) {
+    if (constrained_models[i]->nnonholonomic > 0) continue;
+    fixture automatic = start(constrained_models[i], EOM_LINALG_AUTO, NULL);
+    double q[MOST], qd[MOST], truth[8], c[8];
+    while (!draw(&r, automatic.sys, q, qd, 0.5)) {
+    }
+    const eom_minimal m = linearise(&automatic, q, qd, 0.5);
+    characteristic(&m, truth);
+    for (int w = 0; w < 2; w++) {
+      fixture weighted = start(constrained_models[i], EOM_LINALG_AUTO, weights[w]);
+      const eom_minimal mw = linearise(&weighted, q, qd, 0.5);
+      assert_int_equal(mw.d, m.d);
+      characteristic(&mw, c);
+      double largest = 1;
+      for (int k = 0; k < m.d; k++) largest = fmax(largest, fabs(truth[k]));
+      assert_all_close(c, truth, m.d, 0, 1e-10 * largest);
+      stop(&weighted);
+    }
+    stop(&automatic);
+  }
+}
+
+/* The circle three times at quite different scales is one constraint. */
+static void repeated_rows_count_once(void **state) {
+  (void)state;
+  redundancy rows = {.rows = 3, .factor = {1, 1e8, -1e-8}};
+  eom_system *once, *often;
+  assert_int_equal(eom_system_create(&once, &cartesian_pendulum, NULL, NULL), EOM_OK);
+  assert_int_equal(eom_system_create(&often, &redundant, &rows, NULL), EOM_OK);
+  fixture a = {once, malloc(eom_minimal_bytes(once)), eom_minimal_bytes(once)};
+  fixture b = {often, malloc(eom_minimal_bytes(often)), eom_minimal_bytes(often)};
+  const double q[2] = {0.6, -0.8}, qd[2] = {0.4, 0.3};
+  const eom_minimal x = linearise(&a, q, qd, 0), y = linearise(&b, q, qd, 0);
+  assert_int_equal(x.d, 2), assert_int_equal(y.d, 2);
+  assert_all_close(y.F, x.F, 4, 1e-13, 1e-13);
+  stop(&a), stop(&b);
+}
+
+static void states_beside_the_constraints_are_refused(void **state) {
+  (void)state;
+  fixture f = start(&mixed, EOM_LINALG_AUTO, NULL);
+  rng r = {4};
+  double q[3], qd[3];
+  eom_minimal m;
+  while (!draw(&r, f.sys, q, qd, 0.5)) {
+  }
+  q[2] += 1e-3;
+  assert_int_equal(eom_linearise_minimal(f.sys, &m, q, qd, 0.5, f.memory, f.bytes), EOM_OFF_CONSTRAINTS);
+  assert_string_equal(f.sys->report.row[0].name, "bowl");
+  assert_int_equal(f.sys->report.row[0].kind, EOM_ROW_VIOLATED);
+  char text[1000];
+  eom_report_text(&f.sys->report, text, sizeof text);
+  assert_non_null(strstr(text, "bowl[0] (model.c:20): not satisfied"));
+  q[2] -= 1e-3, qd[1] += 1e-3;
+  assert_int_equal(eom_linearise_minimal(f.sys, &m, q, qd, 0.5, f.memory, f.bytes), EOM_OFF_CONSTRAINTS);
+  assert_int_equal(eom_linearise_minimal(f.sys, &m, q, qd, 0.5, f.memory, f.bytes - 1), EOM_NO_MEMORY);
+  qd[0] = (double)NAN;
+  assert_int_equal(eom_linearise_minimal(f.sys, &m, q, qd, 0.5, f.memory, f.bytes), EOM_NOT_FINITE);
+  stop(&f);
+}
+
+int main(void) {
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(every_model_has_a_basis),
+#ifdef EOM_HAVE_LAPACKE
+      cmocka_unit_test(the_basis_does_not_depend_on_who_computes_it),
+#endif
+      cmocka_unit_test(eigenvalues_do_not_depend_on_weights),
+      cmocka_unit_test(repeated_rows_count_once),
+      cmocka_unit_test(states_beside_the_constraints_are_refused),
+  };
+  return cmocka_run_group_tests_name("minimal", tests, NULL, NULL);
+}
