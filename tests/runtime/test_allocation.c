@@ -47,7 +47,7 @@ static void evaluate(const eom_model *model, const void *params, eom_linalg_choi
   const eom_status status = eom_system_create(&sys, model, params, &options);
   if (status == EOM_BAD_OPTION && linalg == EOM_LINALG_LAPACK) return;
   assert_int_equal(status, EOM_OK);
-  double y[128] = {0.6, 0.8, 0.1, 0.2}, work[9 * 128];
+  double y[128] = {0.6, 0.8, 0.1, 0.2}, work[16 * 128];
   const int n = sys->n;
   eom_integrator it;
   eom_lyapunov *ly;

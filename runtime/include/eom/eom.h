@@ -6,6 +6,7 @@
 #include "eom/integrate.h"
 #include "eom/linearise.h"
 #include "eom/lyapunov.h"
+#include "eom/method.h"
 #include "eom/minimal.h"
 #include "eom/modes.h"
 #include "eom/project.h"

@@ -1,69 +1,90 @@
-/* Fixed-step explicit Runge-Kutta integration of y' = f(t,y) in the caller's memory. */
+/* Explicit Runge-Kutta integration of y' = f(t,y) in the caller's memory, with fixed steps or steps chosen by their error. */
 #ifndef EOM_INTEGRATE_H
 #define EOM_INTEGRATE_H
 
-#include "eom/status.h"
+#include "eom/method.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
-/* ydot = f(t,y). Returns 0, or any other number to stop the integration before the step. */
+/* ydot = f(t,y). Returns 0, or any other number where there is no f: a step of fixed length fails, one whose length is chosen is tried
+ * again with a shorter one. */
 typedef int eom_rhs_fn(void *user, tl_real t, const tl_real *y, tl_real *ydot);
-
-/* A Butcher tableau. Where fsal is 1 the last stage is the derivative at the end of the step and serves the next step. */
-typedef struct eom_method {
-  const char *name;
-  int order, stages, fsal;
-  const tl_real *a; /* strict lower triangle row by row: a[i*(i-1)/2 + j], j < i */
-  const tl_real *b; /* stages */
-  const tl_real *c; /* stages */
-} eom_method;
-
-extern const eom_method eom_dp5; /* Dormand and Prince 5, seven stages, the last one shared with the next step */
-
-/* The method of that name, or null. */
-const eom_method *eom_method_find(const char *name);
 
 /* Changes the new state of a step, as eom_project_state does. Returns 0, or any other number to refuse the step. */
 typedef int eom_correct_fn(void *user, tl_real t, tl_real *y);
+
+/* What a step may be wrong by. With E the error estimate of a step from y to y1, a step counts as good where
+ *
+ *     error = sqrt(1/dim sum_i (E_i / scale_i)^2) <= 1,    scale_i = atol_i + rtol_i max(|y_i|, |y1_i|).
+ *
+ * atol is in the unit of its component: coordinates and velocities of one size need no more than the scalar; where they differ, as in
+ * motion that is much faster or slower than one unit of length in one unit of time, atol_each says so. Zeros leave a choice to the
+ * integrator. */
+typedef struct eom_step_control {
+  tl_real rtol, atol;                   /* >= 0, one of them above */
+  const tl_real *rtol_each, *atol_each; /* dim each, in the place of rtol, of atol; to live as long as the integrator; null: none */
+  tl_real h_min, h_max;                 /* s, bounds of |h|; 0: as far as t can tell two times apart; none */
+  long most_steps;                      /* that one eom_integrate may try; 0: no bound */
+} eom_step_control;
 
 typedef struct eom_integrator {
   const eom_method *method;
   eom_rhs_fn *rhs;
   void *user;
-  eom_correct_fn *correct; /* with the same user, after each step; null: none. To be set after eom_integrator_init */
+  eom_correct_fn *correct; /* with the same user, after each good step; null: none. To be set after eom_integrator_init */
   int dim;
-  tl_real h;        /* step, s; positive or negative */
-  tl_real t0;       /* time of step 0; t = t0 + steps*h without accumulated rounding */
-  tl_real t;        /* time now, s */
-  tl_real *y;       /* dim: state now */
-  long steps;       /* since t0 */
+
+  tl_real h;               /* step, s; positive or negative; where steps are chosen the next one to be tried, 0 before the first */
+  tl_real t0;              /* fixed steps: time of step 0; t = t0 + steps*h without accumulated rounding */
+  tl_real t;               /* time now, s */
+  tl_real *y;              /* dim: state now */
+  tl_real t_before;        /* where the last step began, s */
+  const tl_real *y_before; /* dim: its state */
+
+  eom_step_control control; /* read only; set by eom_integrator_control */
+  int controlled;           /* 1: steps are chosen */
+  tl_real error;            /* of the last step tried, as in eom_step_control */
+  int worst;                /* the component with the largest E_i / scale_i at a STEP_TOO_SMALL, -1 elsewhere */
+
+  long steps;       /* taken, since t0 */
+  long rejected;    /* tried and refused for their error */
+  long failed;      /* tried and refused because rhs or correct failed or a number was not finite; only where steps are chosen */
   long evaluations; /* of rhs */
   int rhs_code;     /* what rhs or correct returned at a failure */
-  int first_known;  /* 1 where stage 0 already holds f(t,y) */
-  tl_real *stage;   /* stages x dim */
-  tl_real *trial;   /* dim */
+
+  /* private */
+  int slope0, interpolates;
+  tl_real log_error;
+  size_t stride;
+  tl_real *slope, *trial, *before;
 } eom_integrator;
 
 /* Numbers (tl_real) of workspace for dim unknowns. */
 size_t eom_integrator_size(const eom_method *method, int dim);
 
-/* Starts at (t, y) with step h. y: dim, copied. work: eom_integrator_size numbers that live as long as *it. */
+/* Starts at (t, y) with steps of h. y: dim, copied. work: eom_integrator_size numbers that live as long as *it. */
 void eom_integrator_init(eom_integrator *it, const eom_method *method, eom_rhs_fn *rhs, void *user, int dim, tl_real t,
                          const tl_real *y, tl_real h, tl_real *work);
 
-/* To be called after the caller has changed y, or anything that f depends on: forgets the stage kept from the last step. */
+/* From now on steps are chosen by their error, beginning with h if it is not zero. Its sign does not matter to eom_integrate.
+ * BAD_OPTION where a tolerance or bound is negative or not a number, or both tolerances are zero. */
+eom_status eom_integrator_control(eom_integrator *it, const eom_step_control *control);
+
+/* To be called after the caller has changed y, or anything that f depends on: forgets what is kept from the last step. */
 void eom_integrator_restart(eom_integrator *it);
 
-/* One step of h. At a failure t and y are those before the step. RHS_FAILED (rhs_code has its number), NOT_FINITE. */
+/* One step: of h, or the first good one of a length that its error allows, forwards where h is 0. At a failure t and y are those before
+ * it. RHS_FAILED (rhs_code has its number; steps that are chosen have been shortened many times by then), NOT_FINITE (likewise),
+ * STEP_TOO_SMALL. */
 eom_status eom_integrator_step(eom_integrator *it);
 
 /* Called after each step; any other number than 0 ends the integration with EOM_STOPPED. */
 typedef int eom_observe_fn(void *observer, const eom_integrator *it);
 
-/* Steps until t_end; the last step is shortened where t_end is not a whole number of steps away. observe may be null.
- * BAD_OPTION where h is zero, not finite or leads away from t_end; errors of eom_integrator_step; EOM_STOPPED. */
+/* Steps until t_end; the last step is shortened to end there. observe may be null. BAD_OPTION where a fixed h is zero, not finite or
+ * leads away from t_end; TOO_MUCH_WORK after most_steps; errors of eom_integrator_step; EOM_STOPPED. */
 eom_status eom_integrate(eom_integrator *it, tl_real t_end, eom_observe_fn *observe, void *observer);
 
 #ifdef __cplusplus

@@ -26,6 +26,8 @@ extern "C" {
   X(NO_EIGENVALUES, "the eigenvalues were not found")                                                                                  \
   X(NOT_INVERSE, "the two coordinate transformations are not inverse to each other")                                                   \
   X(RHS_FAILED, "the right-hand side reported a failure of its own")                                                                   \
+  X(STEP_TOO_SMALL, "no step is short enough for the tolerances")                                                                      \
+  X(TOO_MUCH_WORK, "the integration took as many steps as it was allowed")                                                             \
   X(STOPPED, "the observer asked to stop")
 
 typedef enum eom_status {

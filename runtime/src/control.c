@@ -1,0 +1,193 @@
+/* The choice of steps by their error: error estimate, PI controller, the first step, and what ends the attempts. */
+#include "step.h"
+
+/* The next step is h times safety error^-(0.85/q) error_before^(0.2/q), q the power of h in the error: a PI controller after K.
+ * Gustafsson, with the constants of DOPRI5 in Hairer, Norsett, Wanner (section IV.2), there for q = 5. */
+static const tl_real safety = TL_C(0.9);
+static const tl_real proportional = TL_C(0.2);
+static const tl_real integral = TL_C(0.85);
+static const tl_real most_growth = TL_C(6.0), most_shrinking = TL_C(0.2); /* of one step to the next */
+static const tl_real least_error = TL_C(1e-4);                            /* below, the error before says little and is not followed */
+static const tl_real failure_factor = TL_C(0.25);                         /* shortening of a step that could not be computed */
+static const tl_real stretch = TL_C(1.01);                                /* of a step that would leave next to nothing of the way */
+enum { MOST_FAILURES = 25 /* in a row: 4^-25 is 1e-15 of the first attempt */ };
+
+static tl_real larger(tl_real a, tl_real b) { return a > b ? a : b; }
+static tl_real size(tl_real x) { return TL_LIBM(fabs)(x); }
+
+static tl_real scale_of(const eom_integrator *it, int i, const tl_real *y1) {
+  const eom_step_control *c = &it->control;
+  const tl_real rtol = c->rtol_each ? c->rtol_each[i] : c->rtol, atol = c->atol_each ? c->atol_each[i] : c->atol;
+  return larger(atol + rtol * larger(size(it->y[i]), size(y1[i])), TL_MIN);
+}
+
+/* sum_(j<=s) e_j k_j of component i. */
+static tl_real estimate(const eom_integrator *it, const tl_real *e, int i) {
+  const tl_real *k = it->slope + i;
+  tl_real sum = TL_C(0.0);
+  for (int j = 0; j <= it->method->stages; j++)
+    if (e[j] != TL_C(0.0)) sum += e[j] * k[(size_t)j * it->stride];
+  return sum;
+}
+
+/* The error of the trial step of h as in eom_step_control; with two estimates as in DOP853 of Hairer, Norsett, Wanner (section II.10).
+ */
+static tl_real error_of(const eom_integrator *it, tl_real h) {
+  const eom_method *m = it->method;
+  tl_real high = TL_C(0.0), low = TL_C(0.0);
+  for (int i = 0; i < it->dim; i++) {
+    const tl_real scale = scale_of(it, i, it->trial), e = estimate(it, m->error, i) / scale;
+    high += e * e;
+    if (m->error_rows == 1) continue;
+    const tl_real e_low = estimate(it, m->error + m->stages + 1, i) / scale;
+    low += e_low * e_low;
+  }
+  if (high == TL_C(0.0)) return TL_C(0.0);
+  const tl_real damped = m->error_rows == 1 ? TL_C(1.0) : high / (high + TL_C(0.01) * low);
+  return size(h) * TL_LIBM(sqrt)(damped * high / (tl_real)it->dim);
+}
+
+static int worst_component(const eom_integrator *it) {
+  int worst = 0;
+  tl_real most = TL_C(-1.0);
+  for (int i = 0; i < it->dim; i++) {
+    const tl_real e = size(estimate(it, it->method->error, i)) / scale_of(it, i, it->trial);
+    if (e > most) most = e, worst = i;
+  }
+  return worst;
+}
+
+/* ---- the length of steps ---- */
+
+static tl_real least_step(const eom_integrator *it) {
+  return larger(it->control.h_min, larger(TL_C(4.0) * TL_EPSILON * size(it->t), TL_MIN));
+}
+
+/* h between the bounds. */
+static tl_real bounded(const eom_integrator *it, tl_real h) {
+  const tl_real most = it->control.h_max, least = least_step(it);
+  if (size(h) < least) return TL_LIBM(copysign)(least, h);
+  return most > TL_C(0.0) && size(h) > most ? TL_LIBM(copysign)(most, h) : h;
+}
+
+/* After a good step. */
+static tl_real growth(eom_integrator *it, int refused) {
+  const tl_real q = (tl_real)it->method->error_power;
+  const tl_real log_error = TL_LIBM(log2)(larger(it->error, TL_MIN));
+  const tl_real factor = safety * TL_LIBM(exp2)((proportional * it->log_error - integral * log_error) / q);
+  it->log_error = TL_LIBM(log2)(larger(it->error, least_error));
+  const tl_real most = refused ? TL_C(1.0) : most_growth;
+  return factor < most_shrinking ? most_shrinking : factor > most ? most : factor;
+}
+
+/* After a step whose error is too large. */
+static tl_real shrinking(const eom_integrator *it) {
+  const tl_real factor = safety * TL_LIBM(pow)(it->error, TL_C(-1.0) / (tl_real)it->method->error_power);
+  return larger(factor, most_shrinking);
+}
+
+/* sqrt(1/dim sum (v_i / scale_i)^2). */
+static tl_real norm(const eom_integrator *it, const tl_real *v) {
+  tl_real sum = TL_C(0.0);
+  for (int i = 0; i < it->dim; i++) {
+    const tl_real e = v[i] / scale_of(it, i, it->y);
+    sum += e * e;
+  }
+  return TL_LIBM(sqrt)(sum / (tl_real)it->dim);
+}
+
+/* The first step after Hairer, Norsett, Wanner (section II.4): such that neither |h f| nor |h^2 f'|, from a trial of Euler's method, is
+ * large. */
+static eom_status first_step(eom_integrator *it, tl_real way) {
+  eom_status status = eom_start_slope(it);
+  if (status != EOM_OK) return status;
+  const tl_real d0 = norm(it, it->y), d1 = norm(it, it->slope), tiny = TL_C(1e-5);
+  tl_real h0 = d0 < tiny || d1 < tiny ? TL_C(1e-6) : TL_C(0.01) * d0 / d1;
+  h0 = bounded(it, h0 < size(way) ? h0 : size(way));
+  const tl_real one = TL_C(1.0);
+  tl_real *k1 = eom_slope(it, 1);
+  for (int tries = 0;; tries++) {
+    status = eom_combine(it, it->trial, it->y, TL_LIBM(copysign)(h0, way), &one, 1)
+                 ? eom_evaluate_slope(it, 1, it->t + TL_LIBM(copysign)(h0, way))
+                 : EOM_NOT_FINITE;
+    if (status == EOM_OK) break;
+    it->failed++;
+    if (tries == MOST_FAILURES) return status;
+    h0 *= failure_factor;
+  }
+  for (int i = 0; i < it->dim; i++) k1[i] -= it->slope[i];
+  const tl_real d2 = norm(it, k1) / h0, d = larger(d1, d2), least = h0 * TL_C(1e-3), most = h0 * TL_C(100.0);
+  const tl_real h1 = d > TL_C(1e-15) ? TL_LIBM(pow)(TL_C(0.01) / d, TL_C(1.0) / (tl_real)it->method->error_power) : TL_C(1e-6);
+  it->h = TL_LIBM(copysign)(h1 > most ? most : larger(h1, least), way);
+  return EOM_OK;
+}
+
+/* ---- a step ---- */
+
+/* Tries a step of h to t1, and takes it where its error allows; *good says so. RHS_FAILED, NOT_FINITE. */
+static eom_status attempt(eom_integrator *it, tl_real h, tl_real t1, int *good) {
+  const int end_counts = it->method->error[it->method->stages] != TL_C(0.0);
+  *good = 0;
+  eom_status status = eom_try_step(it, h, t1);
+  if (status == EOM_OK && end_counts) status = eom_evaluate_slope(it, it->method->stages, t1);
+  if (status != EOM_OK) return status;
+  it->error = error_of(it, h);
+  if (it->error != it->error) return EOM_NOT_FINITE;
+  if (it->error > TL_C(1.0)) return EOM_OK;
+  *good = 1;
+  return eom_take_step(it, t1, end_counts);
+}
+
+eom_status eom_controlled_step(eom_integrator *it, tl_real t_end) {
+  const tl_real way = t_end - it->t;
+  eom_status status = it->h == TL_C(0.0) ? first_step(it, way) : eom_start_slope(it);
+  if (status != EOM_OK) return status;
+  int good = 0, failures = 0, refused = 0;
+  for (;;) {
+    const tl_real h = refused ? it->h : bounded(it, it->h);
+    const int last = size(h) * stretch >= size(way);
+    const tl_real t1 = last ? t_end : it->t + h;
+    if (refused && size(h) < least_step(it)) break;
+    status = attempt(it, t1 - it->t, t1, &good);
+    if (status == EOM_OK && good) {
+      const tl_real next = (t1 - it->t_before) * growth(it, refused);
+      if (!last || refused || size(next) > size(it->h)) it->h = next;
+      return EOM_OK;
+    }
+    refused = 1;
+    if (status != EOM_OK) {
+      it->failed++;
+      if (failures++ == MOST_FAILURES) return status;
+      it->h = (t1 - it->t) * failure_factor;
+    } else {
+      it->rejected++;
+      failures = 0;
+      it->h = (t1 - it->t) * shrinking(it);
+    }
+  }
+  if (status != EOM_OK) return status;
+  it->worst = worst_component(it);
+  return EOM_STEP_TOO_SMALL;
+}
+
+/* ---- options ---- */
+
+static int is_bound(tl_real x) { return x >= TL_C(0.0) && x <= TL_MAX; }
+
+static int are_bounds(const tl_real *x, int count) {
+  for (int i = 0; x && i < count; i++)
+    if (!is_bound(x[i])) return 0;
+  return 1;
+}
+
+eom_status eom_integrator_control(eom_integrator *it, const eom_step_control *control) {
+  const eom_step_control *c = control;
+  if (!is_bound(c->rtol) || !is_bound(c->atol) || !is_bound(c->h_min) || !is_bound(c->h_max) || c->most_steps < 0 ||
+      !are_bounds(c->rtol_each, it->dim) || !are_bounds(c->atol_each, it->dim))
+    return EOM_BAD_OPTION;
+  if (!c->rtol_each && !c->atol_each && c->rtol == TL_C(0.0) && c->atol == TL_C(0.0)) return EOM_BAD_OPTION;
+  it->control = *control;
+  it->controlled = 1;
+  it->log_error = TL_C(0.0);
+  return EOM_OK;
+}
