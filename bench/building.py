@@ -32,6 +32,11 @@ def parse(description):
     return parser.parse_args()
 
 
+def needs(args):
+    """The needs that are asked for of a model that has them all."""
+    return "F" if args.model == "cartesian_pendulum" else "FJV"
+
+
 def read_parameters(path):
     """(gravity, masses, lengths)"""
     gravity, *links = path.read_text(encoding="utf-8").splitlines()

@@ -8,7 +8,8 @@ extern "C" {
 
 /* A planar chain of point masses on massless rods, hung from a fixed pivot. */
 typedef struct bench_case {
-  const char *model;    /* "pendulum": absolute angles; "relative_chain": each angle relative to the link before */
+  const char *model;    /* "pendulum": absolute angles; "relative_chain": each angle relative to the link before; "cartesian_pendulum":
+                           absolute angles to the timer, while contenders work in x and y of each mass with rods as constraints */
   int n;                /* links = coordinates */
   double gravity;       /* m/s^2 */
   const double *mass;   /* n: at the end of each rod, kg */
@@ -30,6 +31,8 @@ typedef struct bench_contender {
   /* The results of one call of need 'F', 'J' or 'V' at (q, qd) of the model become those of the model, in place. qdd_y has room for
    * 4n^2 numbers, so that a contender may leave it in parts. */
   void (*from_native)(void *self, char need, const double *q, const double *qd, double *qdd, double *qdd_y, double *dqdd);
+  int coordinates; /* of native states and accelerations, at least n; 0: n */
+  int approximate; /* 1: it solves another, softened problem: it is timed with whatever error it has, which the tables tell */
 } bench_contender;
 
 enum { BENCH_STATES = 8 }; /* that are cycled */

@@ -10,6 +10,7 @@ OURS = "adjoint"  # the contender that all ratios refer to
 OURS_OF_MANY = "adjoint-lanes"  # ours as well where states are independent
 NEEDS = {"F": "accelerations", "J": "accelerations and their Jacobian", "V": "accelerations and one direction"}
 WAYS = {"throughput": "independent states", "latency": "each state waits for the last result"}
+TOLERANCE = 1e-9  # of the timer's check
 EXPONENT_RANGE = (16, 64)
 
 

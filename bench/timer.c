@@ -31,10 +31,10 @@ typedef struct settings {
 typedef struct runner {
   int number;
   bench_contender c;
-  int n;
-  double *q[BATCHES], *qd[BATCHES], *w[BATCHES]; /* n, n, 2n times lanes */
-  double *moved;                                 /* n times lanes: the chained coordinates */
-  double *qdd, *qdd_y, *dqdd;                    /* n, 4n^2, n times lanes */
+  int n, native;                                 /* coordinates of the model, and its own */
+  double *q[BATCHES], *qd[BATCHES], *w[BATCHES]; /* native, native, 2 native times lanes */
+  double *moved;                                 /* native times lanes: the chained coordinates */
+  double *qdd, *qdd_y, *dqdd;                    /* native, 4 native^2, native times lanes */
   double error;                                  /* of the need at hand */
   long calls;                                    /* in one repeat */
   double *times;                                 /* of the repeats, ns per state */
@@ -74,10 +74,10 @@ static void gather(double *block, int n, int lanes, int b, double *q, double *qd
 }
 
 static void make_inputs(runner *r, double *block) {
-  size_t n = (size_t)r->n, lanes = (size_t)r->c.lanes;
+  size_t n = (size_t)r->n, own = (size_t)r->native, lanes = (size_t)r->c.lanes;
   double *q = numbers(n * lanes), *qd = numbers(n * lanes), *w = numbers(2 * n * lanes);
   for (int b = 0; b < BATCHES; b++) {
-    r->q[b] = numbers(n * lanes), r->qd[b] = numbers(n * lanes), r->w[b] = numbers(2 * n * lanes);
+    r->q[b] = numbers(own * lanes), r->qd[b] = numbers(own * lanes), r->w[b] = numbers(2 * own * lanes);
     gather(block, r->n, r->c.lanes, b, q, qd, w);
     if (r->c.to_native != NULL)
       r->c.to_native(r->c.self, q, qd, w, r->q[b], r->qd[b], r->w[b]);
@@ -99,7 +99,8 @@ static int load(runner *r, int number, const char *object, const bench_case *pro
   r->c = (bench_contender){.lanes = 1};
   if (start(problem, &r->c) != 0) return 0;
   if (r->c.lanes < 1 || r->c.lanes > BENCH_STATES) fail("wrong number of lanes in", object);
-  size_t n = (size_t)r->n, lanes = (size_t)r->c.lanes;
+  r->native = r->c.coordinates > 0 ? r->c.coordinates : r->n;
+  size_t n = (size_t)r->native, lanes = (size_t)r->c.lanes;
   r->moved = numbers(n * lanes), r->qdd = numbers(n * lanes), r->qdd_y = numbers(4 * n * n * lanes), r->dqdd = numbers(n * lanes);
   make_inputs(r, block);
   return 1;
@@ -125,7 +126,7 @@ static double check_lane(const runner *r, char need, const bench_state *s, int l
 }
 
 static void forget(const runner *r) {
-  size_t n = (size_t)r->n, lanes = (size_t)r->c.lanes;
+  size_t n = (size_t)r->native, lanes = (size_t)r->c.lanes;
   for (size_t i = 0; i < n * lanes; i++) r->qdd[i] = r->dqdd[i] = (double)NAN;
   for (size_t i = 0; i < 4 * n * n * lanes; i++) r->qdd_y[i] = (double)NAN;
 }
@@ -161,7 +162,7 @@ static void run_throughput(const runner *r, char need, long calls) {
 
 /* What the next state hangs on: the first and the last number of a result, whichever a contender computes last. */
 static inline double last_result(const runner *r, char need) {
-  int n = r->n;
+  int n = r->native;
   if (need == 'F') return r->qdd[0] + r->qdd[n - 1];
   if (need == 'J') return r->qdd_y[0] + r->qdd_y[2 * n * n - 1];
   return r->dqdd[0] + r->dqdd[n - 1];
@@ -172,7 +173,7 @@ static void run_latency(const runner *r, char need, long calls) {
   for (long k = 0; k < calls; k++) {
     const double *q = r->q[k % BATCHES];
     double link = link_scale * last_result(r, need);
-    for (int i = 0; i < r->n; i++) r->moved[i] = q[i] + link;
+    for (int i = 0; i < r->native; i++) r->moved[i] = q[i] + link;
     call(r, need, r->moved, (int)(k % BATCHES));
   }
 }
@@ -216,12 +217,14 @@ static void race(runner *runners, int count, char need, int chained, const setti
   fflush(stdout);
 }
 
+static int passes(const runner *r) { return r->error <= tolerance || (r->c.approximate && isfinite(r->error)); }
+
 /* Moves those that have the need, pass its check and can run this way to the front; returns their number. A chain of states that wait
  * for each other has no batches. */
 static int select_runners(runner *all, int count, char need, int chained, runner *chosen) {
   int m = 0;
   for (int i = 0; i < count; i++)
-    if (has(&all[i].c, need) && all[i].error <= tolerance && !(chained && all[i].c.lanes > 1)) chosen[m++] = all[i];
+    if (has(&all[i].c, need) && passes(&all[i]) && !(chained && all[i].c.lanes > 1)) chosen[m++] = all[i];
   return m;
 }
 
@@ -231,7 +234,7 @@ static void run_need(runner *all, int count, char need, double *block, const set
   for (int i = 0; i < count; i++) {
     if (!has(&all[i].c, need)) continue;
     all[i].error = check(&all[i], need, block);
-    if (set->check_only || !(all[i].error <= tolerance)) printf("%d,%c,check,,,0,%.2g\n", all[i].number, need, all[i].error);
+    if (set->check_only || !passes(&all[i])) printf("%d,%c,check,,,0,%.2g\n", all[i].number, need, all[i].error);
   }
   for (int chained = 0; chained < 2 && !set->check_only; chained++)
     race(chosen, select_runners(all, count, need, chained, chosen), need, chained, set);

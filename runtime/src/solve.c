@@ -1,6 +1,7 @@
 /* Accelerations, multipliers and constraint forces; the verdict on each constraint row. */
 #include "eom/solve.h"
 
+#include "baumgarte.h"
 #include "evaluate.h"
 #include "factor.h"
 #include "lanes.h"
@@ -72,9 +73,22 @@ eom_status eom_solved_by_motion(eom_system *sys, int code, const tl_real *q, con
   return EOM_OK;
 }
 
+/* A solved form of constrained equations, whose rows are independent. */
+static eom_status constrained_by_motion(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  const int code = sys->motion->constrained(sys->params, q, qd, t, sys->qdd, sys->lambda, sys->Qc, sys->workspace->motion_work);
+  if (code == EOM_MOTION_PIVOT) return eom_solve_at(sys, q, qd, t);
+  if (eom_solved_by_motion(sys, code, q, qd, t) != EOM_OK) return sys->report.status;
+  for (int r = 0; r < sys->m; r++) sys->row_kind[r] = EOM_ROW_INDEPENDENT;
+  sys->report.rank = sys->m;
+  sys->report.condition = sys->report.residual = TL_C(-1.0);
+  return EOM_OK;
+}
+
 eom_status eom_acceleration(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
   if (eom_start(sys, q, qd, t) != EOM_OK) return sys->report.status;
-  if (!eom_by_motion(sys, EOM_TASK_ASSEMBLE) || !sys->motion->acceleration) return eom_solve_at(sys, q, qd, t);
+  if (!eom_by_motion(sys, EOM_TASK_ASSEMBLE)) return eom_solve_at(sys, q, qd, t);
+  if (sys->motion->constrained && !eom_is_stabilised(sys)) return constrained_by_motion(sys, q, qd, t);
+  if (!sys->motion->acceleration) return eom_solve_at(sys, q, qd, t);
   const int code = sys->motion->acceleration(sys->params, q, qd, t, sys->qdd, sys->workspace->motion_work);
   return code == EOM_MOTION_PIVOT ? eom_solve_at(sys, q, qd, t) : eom_solved_by_motion(sys, code, q, qd, t);
 }

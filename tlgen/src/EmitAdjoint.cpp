@@ -12,12 +12,15 @@ namespace {
 // Characters of one function: compilers take minutes for much longer ones.
 const size_t longestFunction = 100000;
 
-// Functions of eom_motion; the last three are solved forms, which come with the needs that they are made of.
+// The same of sums and products alone, without branches and functions.
+const size_t longestSolution = 400000;
+
+// Functions of eom_motion; the last four are solved forms, which come with the needs that they are made of.
 const std::vector<std::pair<std::string, std::string>> &allFunctions() {
   static const std::vector<std::pair<std::string, std::string>> functions = {
-      {"energy", "energy"},         {"simulate", "simulate"},  {"residual", "residual"},
-      {"linearise", "linearise"},   {"tangent", "tangent"},    {"parameters", "parameters"},
-      {"acceleration", "simulate"}, {"jacobian", "linearise"}, {"directional", "tangent"}};
+      {"energy", "energy"},       {"simulate", "simulate"},     {"residual", "residual"},     {"linearise", "linearise"},
+      {"tangent", "tangent"},     {"parameters", "parameters"}, {"acceleration", "simulate"}, {"jacobian", "linearise"},
+      {"directional", "tangent"}, {"constrained", "simulate"}};
   return functions;
 }
 
@@ -39,7 +42,12 @@ public:
     for (auto &[function, need] : allFunctions()) {
       bool based = function == need || has(need); // jacobian beside linearise, linearise beside simulate
       if (need == "linearise" || need == "tangent" || need == "parameters") based = based && has("simulate");
-      if (!needs.count(need) || !based || (isSolved(function) && constrained())) continue;
+      if (!needs.count(need) || !based) continue;
+      if (function == "constrained") {
+        if (constrained()) printConstrained();
+        continue;
+      }
+      if (isSolved(function) && constrained()) continue;
       print(function);
       if (options_.lanes && isSolved(function)) printLanes(function + "_lanes");
     }
@@ -119,13 +127,29 @@ private:
       leaveOut("lanes-unsuitable", function, *made[rows].why);
   }
 
+  // The solution of the constrained equations, in registers: where few coordinates or few numbers other than zero make it short. The
+  // general solver needs no such function.
+  void printConstrained() {
+    const bool rows = false, forced = options_.form == Form::Registers;
+    if (options_.form == Form::Rows || (!forced && coordinates() > MOST_IN_REGISTERS && !isSparse())) return;
+    Candidate made[2];
+    made[rows] = candidate("constrained", rows);
+    if (!made[rows].made)
+      report_.proved.push_back("No solution of the constrained equations: " + made[rows].why->why + ".");
+    else if (made[rows].made->definition.size() <= longestSolution)
+      take("constrained", rows, forced ? "asked for" : "the only one", made);
+  }
+
+  // Whether M has few elements in each row, as the functions before say. How many A has is only seen in registers.
+  bool isSparse() { return classesOf(last_->results("simulate"), "M", last_->n, last_->n).entries <= 4 * last_->n; }
+
   void leaveOut(const char *id, const std::string &function, const Unsuitable &why) {
     diags_.add(id, program_, why.loc, "'" + function + "': " + why.why);
   }
 
   void take(const std::string &function, bool rows, const std::string &why, const Candidate (&made)[2]) {
     const MotionFunction &f = *made[rows].made;
-    if (f.definition.size() > longestFunction && options_.form == Form::Auto) {
+    if (f.definition.size() > longestFunction && options_.form == Form::Auto && function != "constrained") {
       std::string size = std::to_string(f.definition.size() / 1000);
       diags_.add("adjoint-large", program_, model_.functions[0].function->loc, "'" + function + "' would be " + size + " kB of C");
       return;

@@ -79,6 +79,7 @@ struct Node {
   int id = 0;           // in the order of making; arguments come first
   Loop *loop = nullptr; // the innermost loop it varies in, null outside of all
   bool fixed = false;   // arithmetic on parameters alone, the same at all times
+  bool judged = false;  // a Recip that has a value only where the test of the results allows it
   const Guard *guard = nullptr;
   Loc loc;          // of the source that first asked for it
   std::string name; // of the variable that first held it; may be empty

@@ -185,14 +185,16 @@ private:
   std::vector<Arrays> regrouped() {
     std::vector<Arrays> all(parts_.size());
     std::vector<Node *> wanted;
+    bool grouped = values.rows || !values.analyses.algebra;
     for (size_t part = 0; part < parts_.size(); ++part)
       for (const std::string &name : parts_[part].names) {
         auto array = results(part).arrays.find(name);
         if (array == results(part).arrays.end()) continue;
         all[part].insert(*array);
+        grouped |= results(part).grouped;
         for (const Write &write : array->second->writes) wanted.push_back(write.value);
       }
-    if (values.rows || !values.analyses.algebra) return all;
+    if (grouped) return all;
     Regrouping regrouping(values.graph, wanted);
     for (Arrays &arrays : all)
       for (auto &[name, array] : arrays) {
@@ -240,11 +242,11 @@ public:
 
 // Names of arguments and of the variables that are printed here.
 std::set<std::string> MotionFunctions::takenNames() const {
-  std::set<std::string> names = {"params",  "q",     "qd",         "t",        "qdd",    "lambda", "k",       "c",    "w",
-                                 "work",    "out",   "r",          "M",        "Q",      "A",      "b",       "dinv", "pivot",
-                                 "energy",  "r_y",   "g_y",        "r_w",      "g_w",    "r_p",    "g_p",     "phi",  "psi",
-                                 "phi_dot", "qdd_y", "lagrangian", "dqdd",     "solved", "B",      "sum",     "i",    "j",
-                                 "l",       "auto",  "register",   "restrict", "inline", "signed", "momentum"};
+  std::set<std::string> names = {
+      "params", "q",    "qd",       "t",        "qdd",    "lambda",     "k",        "c",      "w",     "work",    "out",   "r",
+      "M",      "Q",    "A",        "b",        "dinv",   "pivot",      "energy",   "r_y",    "g_y",   "r_w",     "g_w",   "r_p",
+      "g_p",    "phi",  "psi",      "phi_dot",  "qdd_y",  "lagrangian", "dqdd",     "solved", "B",     "sum",     "i",     "j",
+      "l",      "auto", "register", "restrict", "inline", "signed",     "momentum", "Qc",     "sound", "inverse", "growth"};
   names.insert(TRACE_PARAMS);
   for (const Variable *v : program_.globals) names.insert(v->name);
   for (const Function *f : program_.functions) names.insert(f->name);
@@ -279,6 +281,10 @@ MotionFunction MotionFunctions::print(const std::string &name, MotionValues &val
   if (name == "tangent") {
     Body body(*this, values, {{"tangent", {"r_w", "g_w"}}});
     return define(name, fixed + directions + "tl_real *restrict r_w, tl_real *restrict g_w", body, tangent(body));
+  }
+  if (name == "constrained") {
+    Body body(*this, values, {{"constrained", {"qdd", "lambda", "Qc", "inverse", "growth"}}});
+    return define(name, "tl_real *restrict solved, tl_real *restrict lambda, tl_real *restrict Qc", body, constrained(body));
   }
   const bool lanes = isOfLanes(name);
   const std::string solved = lanes ? name.substr(0, name.size() - lanesSuffix.size()) : name;
@@ -385,6 +391,25 @@ std::string MotionFunctions::solve(Body &body) {
   return body.printChecked(0) + "  const " + body.number() + " pivot = " + body.kernel("tl_ldl_factor_solve") + "(" + str(n) +
          ", qdd, M, " + str(ld) + ", dinv, Q);\n" + each(n, "solved[i] = qdd[i];") + "  if (!" + (body.lanes ? "tl_lanes_all(" : "(") +
          pivot + ")) return EOM_MOTION_PIVOT;\n";
+}
+
+// qdd, lambda and A' lambda by an elimination that knows the zeros of M and A.
+std::string MotionFunctions::constrained(Body &body) {
+  const long n = body.values.n, m = body.values.m1 + body.values.m2;
+  body.vector(0, "qdd", "solved[%]");
+  body.vector(0, "lambda", "lambda[%]");
+  body.vector(0, "Qc", "Qc[%]");
+  std::string checks = "  int sound = 1;\n";
+  const std::vector<std::pair<std::string, std::string>> judged = {
+      {"inverse", "(inverse[i] > TL_C(0.0)) & (inverse[i] <= TL_MAX)"},
+      {"growth", "(growth[i] > TL_C(0.0)) & (growth[i] * EOM_MOTION_SAFE_PIVOT < TL_C(1.0))"}};
+  for (auto &[name, condition] : judged) {
+    const long count = body.values.results("constrained").arrays.at(name)->length;
+    body.vector(0, name, body.memory(name, count) + "[%]");
+    checks += each(count, "sound &= " + condition + ";");
+  }
+  return body.printChecked(0) + checks + "  if (!sound) return EOM_MOTION_PIVOT;\n" + finite(n, "solved") + finite(m, "lambda") +
+         finite(n, "Qc");
 }
 
 std::string MotionFunctions::acceleration(Body &body) { return solve(body) + finite(body.values.n, "qdd", body.lanes); }

@@ -29,6 +29,7 @@ private:
   std::string residual(Body &body);
   std::string derivatives(Body &body, const std::string &suffix, long columns);
   std::string tangent(Body &body);
+  std::string constrained(Body &body);
   std::string acceleration(Body &body);
   std::string jacobian(Body &body);
   std::string directional(Body &body);

@@ -1,5 +1,6 @@
 // Traces a model's functions, and finds the members to differentiate by.
 #include "MotionValues.h"
+#include "Elimination.h"
 #include "Order.h"
 #include "Structure.h"
 
@@ -66,6 +67,7 @@ bool MotionValues::constantMass() { return analyses.constantMass && isMassConsta
 Results &MotionValues::results(const std::string &need) {
   auto known = results_.find(need);
   if (known != results_.end()) return known->second;
+  if (need == "constrained") return results_.emplace(need, eliminated(graph, results("simulate"), n, m1, m2)).first->second;
   Results made = need == "energy"      ? needs_->energy()
                  : need == "simulate"  ? needs_->simulate()
                  : need == "residual"  ? needs_->residual()

@@ -17,7 +17,7 @@ public:
   // Of functions that are there as values.
   MotionValues(std::function<Equations(Graph &)> make, bool rows, const Analyses &analyses = {});
 
-  // Of a need, computed once. Throws Unsuitable.
+  // Of a need, or constrained: the solution of what simulate makes. Computed once. Throws Unsuitable.
   Results &results(const std::string &need);
   // Proved: no equation depends on t. The mass matrix is the same at all states (of models with simulate).
   bool autonomous = false;

@@ -27,6 +27,7 @@ struct Results {
   std::map<std::string, Array *> arrays; // also matrices with explicit columns, row-major
   std::map<std::string, Row *> rows;     // matrices as rows in memory; columns of r_y and g_y are q_0, qd_0, q_1, qd_1, ..
   long columns = 0;                      // of the rows
+  bool grouped = false;                  // products are to stay as they are
   std::vector<std::unique_ptr<Jets>> jets;
 
   std::vector<RowUpdate> updates() const;

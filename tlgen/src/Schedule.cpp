@@ -229,6 +229,7 @@ void Schedule::makeChecks() {
   std::unordered_map<const Node *, bool> passive;
   for (Node *n : nodes) {
     if ((n->op != Node::Math && n->op != Node::Recip) || !values.count(n) || isPassive(n, passive)) continue;
+    if (n->judged) continue;
     if (n->op == Node::Recip && isPositive(n->args[0])) continue;
     graph_.loc = n->loc;
     Node *outside = outsideDomain(graph_, n);

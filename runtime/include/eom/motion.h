@@ -44,6 +44,10 @@ enum {
  * that it began as, is above this. What is below is rounding. */
 #define EOM_MOTION_LEAST_PIVOT(n) (TL_C(8.0) * (tl_real)(n) * TL_EPSILON)
 
+/* Constrained equations are solved by elimination of M, then of A M^-1 A', where each pivot, likewise in parts of its element, is above
+ * this. What is below goes to the general solver, which does not square the condition of A. */
+#define EOM_MOTION_SAFE_PIVOT TL_C(1e-3)
+
 /* The parts of the equations of motion at a state; none is null but those of no elements. */
 struct eom_parts {
   tl_real *M;       /* n x n, symmetric to the bit */
@@ -96,6 +100,11 @@ typedef int eom_jacobian_fn(const void *params, const tl_real *q, const tl_real 
 typedef int eom_directional_fn(const void *params, const tl_real *q, const tl_real *qd, tl_real t, int k, const tl_real *w,
                                tl_real *qdd, tl_real *dqdd, tl_real *work);
 
+/* The solved form of models with constraints: qdd, lambda and the constraint force Qc = A' lambda. qdd: n, lambda: m, Qc: n.
+ * EOM_MOTION_PIVOT where a pivot is not above EOM_MOTION_SAFE_PIVOT. */
+typedef int eom_constrained_fn(const void *params, const tl_real *q, const tl_real *qd, tl_real t, tl_real *qdd, tl_real *lambda,
+                               tl_real *Qc, tl_real *work);
+
 /* The solved forms of TL_LANES states at once: element [i] of an array holds the i-th numbers of all states, *t their times. Arrays are
  * aligned to EOM_MOTION_ALIGNMENT bytes. Parameters are the same for all. What is returned is not 0 where it would not be for one of
  * the states: then no output is usable, and the function for one state says which state it is and gives the results of the others. */
@@ -106,7 +115,8 @@ typedef int eom_jacobian_lanes_fn(const void *params, const tl_lanes *q, const t
 typedef int eom_directional_lanes_fn(const void *params, const tl_lanes *q, const tl_lanes *qd, const tl_lanes *t, int k,
                                      const tl_lanes *w, tl_lanes *qdd, tl_lanes *dqdd, tl_lanes *work);
 
-/* A model's motion at one size. Functions that the model was not asked for are null; so are the solved forms where m > 0. */
+/* A model's motion at one size. Functions that the model was not asked for are null; so are the
+ * first three solved forms where m > 0, and the last one where m = 0. */
 struct eom_motion {
   int n, m1, m2;
   int (*fits)(const void *params); /* 1 where the parameters have these sizes, 0 elsewhere */
@@ -126,7 +136,8 @@ struct eom_motion {
   eom_acceleration_fn *acceleration;
   eom_jacobian_fn *jacobian;
   eom_directional_fn *directional;
-  int lanes; /* TL_LANES of the three that follow; 0 where tlgen was not asked for them (--lanes) */
+  eom_constrained_fn *constrained; /* of models with constraints, where their equations are small or sparse enough */
+  int lanes;                       /* TL_LANES of the three that follow; 0 where tlgen was not asked for them (--lanes) */
   eom_acceleration_lanes_fn *acceleration_lanes;
   eom_jacobian_lanes_fn *jacobian_lanes;
   eom_directional_lanes_fn *directional_lanes;

@@ -63,8 +63,9 @@ typedef struct eom_report {
   int weighted;      /* 1 where calM = M + A'WA took the place of M */
   tl_real pivot;     /* smallest pivot of the Cholesky factorisation of calM scaled to a unit diagonal, 0..1; -1 where a motion
                         function solved, which keeps it above EOM_MOTION_LEAST_PIVOT(n) and does not say more */
-  tl_real condition; /* estimate of the condition of the constraint rows in the mass metric, each scaled to unit length; 1 for none */
-  tl_real residual;  /* largest |A qdd - b|, each row scaled to unit length in the mass metric */
+  tl_real condition; /* estimate of the condition of the constraint rows in the mass metric, each scaled to unit length; 1 for none; -1
+                        where a motion function solved, which takes safe pivots alone */
+  tl_real residual;  /* largest |A qdd - b|, each row scaled to unit length in the mass metric; -1 likewise */
   int nrow;          /* rows that are dependent or inconsistent; the first EOM_REPORT_ROWS of them are in row[] */
   eom_row row[EOM_REPORT_ROWS];
 } eom_report;

@@ -26,7 +26,7 @@ enum { RANDOM_STATES = 8, MOST_FAULTS = 10, DIRECTIONS = 3 };
 static int faults;
 
 typedef struct needs_error {
-  double energy, simulate, residual, linearise, tangent, parameters, acceleration, jacobian, directional, lanes;
+  double energy, simulate, residual, linearise, tangent, parameters, acceleration, jacobian, directional, constrained, lanes;
 } needs_error;
 
 static needs_error worst;
@@ -193,6 +193,28 @@ static void check_solved(const subject *s, const double *w, int k) {
   free(qdd), free(qdd_y), free(dqdd), free(expected);
 }
 
+/* The solved form of constrained equations squares the condition of the rows. It may give way where the equations are not well
+ * conditioned, and only there. */
+static void check_constrained(const subject *s) {
+  eom_system *c = s->calls;
+  const int n = c->n, m = c->m;
+  double *qdd = numbers(n), *lambda = numbers(m), *Qc = numbers(n);
+  const eom_status status = eom_acceleration(c, s->q, s->qd, s->t);
+  const int code = s->f->constrained(s->params, s->q, s->qd, s->t, qdd, lambda, Qc, s->work);
+  const double of_rows = c->report.condition * c->report.condition;
+  if (status != EOM_OK || c->report.rank < m || c->report.weighted) {
+    if (code != EOM_MOTION_PIVOT) ran("constrained equations that are not safe", code ? code : 99);
+  } else if (code != EOM_MOTION_PIVOT || (of_rows < 10 && c->report.pivot > 0.1)) {
+    const double limit = s->rtol * of_rows / c->report.pivot, size = largest(c->Qc, n);
+    if (ran("constrained", code)) {
+      compare(&worst.constrained, "qdd", qdd, c->qdd, 1, n, 0, limit);
+      compare(&worst.constrained, "lambda", lambda, c->lambda, 1, m, 0, limit);
+      compare(&worst.constrained, "Qc", Qc, c->Qc, 1, n, size, limit);
+    }
+  }
+  free(qdd), free(lambda), free(Qc);
+}
+
 /* ---- lanes ---- */
 
 /* Numbers of lanes: element i of lane l is at [i*lanes + l]. */
@@ -335,6 +357,7 @@ static void check_state(subject *s, rng *r) {
     if (s->f->acceleration) check_solved(s, w, DIRECTIONS);
     if (s->f->acceleration) check_solved(s, w, 1);
     if (s->f->acceleration && s->f->lanes) check_lanes(s, w, DIRECTIONS);
+    if (s->f->constrained) check_constrained(s);
     if (s->f->parameters) check_parameters(s);
   }
   free(r_y), free(g_y), free(w);
@@ -384,9 +407,9 @@ static eom_system *start(const void *params, unsigned needs, eom_emitter emitter
 
 static void print_errors(int lanes) {
   printf("%s: energy %.0e  simulate %.0e  residual %.0e  linearise %.0e  tangent %.0e  parameters %.0e  acceleration %.0e  jacobian "
-         "%.0e  directional %.0e  %d lanes %.0e\n",
+         "%.0e  directional %.0e  constrained %.0e  %d lanes %.0e\n",
          subject_model()->name, worst.energy, worst.simulate, worst.residual, worst.linearise, worst.tangent, worst.parameters,
-         worst.acceleration, worst.jacobian, worst.directional, lanes, worst.lanes);
+         worst.acceleration, worst.jacobian, worst.directional, worst.constrained, lanes, worst.lanes);
 }
 
 int main(int argc, char **argv) {

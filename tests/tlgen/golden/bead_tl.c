@@ -194,6 +194,49 @@ int bead_parameters(const void *params, const tl_real *restrict q, const tl_real
   return 0;
 }
 
+int bead_constrained(const void *params, const tl_real *restrict q, const tl_real *restrict qd, tl_real t, tl_real *restrict solved, tl_real *restrict lambda, tl_real *restrict Qc, tl_real *restrict work)
+{
+  (void)work;
+  const struct bead *const p = params;
+  if (!bead_fits(params)) return EOM_MOTION_SIZE;
+  tl_real inverse[8];
+  tl_real growth[8];
+  const tl_real angle = p->spin * t;
+  tl_real sine, cosine;
+  tl_sincos_array(1, &angle, &sine, &cosine);
+  /* bead.c:12: double bead_wire(const double *q, double t, const struct bead *p) { return q[1] * cos(p->spin * t) - q[0] * sin(p->spin * t); } */
+  const tl_real t1 = 1.0 / p->mass;
+  const tl_real t2 = -sine * t1;
+  /* bead.c:15: for (int i = 0; i < 2; i++) out[i] = -p->drag * qd[i]; */
+  const tl_real i2 = -qd[0] * p->drag;
+  /* bead.c:12 */
+  const tl_real t3 = p->spin * sine;
+  const tl_real t4 = 0.5 * p->spin;
+  const tl_real t5 = p->spin * cosine;
+  const tl_real t6 = cosine * t1;
+  const tl_real t7 = -(p->mass * p->gravity + qd[1] * p->drag);
+  const tl_real t8 = -t6 * cosine - t2 * -sine;
+  const tl_real t9 = 1.0 / t8;
+  const tl_real t10 = (-t2 * i2 - 2.0 * (-qd[1] * t3 - q[1] * t4 * t5 - (qd[0] * t5 - q[0] * t3 * t4)) - t6 * t7) * t9;
+  const tl_real t11 = -(-sine * t10);
+  solved[0] = (t11 + i2) * t1;
+  const tl_real t12 = -cosine * t10;
+  solved[1] = (t12 + t7) * t1;
+  lambda[0] = -t10;
+  Qc[0] = t11;
+  Qc[1] = t12;
+  inverse[0] = t1;
+  growth[0] = t8 * t9;
+  int sound = 1;
+  for (int i = 0; i < 1; ++i) sound &= (inverse[i] > TL_C(0.0)) & (inverse[i] <= TL_MAX);
+  for (int i = 0; i < 1; ++i) sound &= (growth[i] > TL_C(0.0)) & (growth[i] * EOM_MOTION_SAFE_PIVOT < TL_C(1.0));
+  if (!sound) return EOM_MOTION_PIVOT;
+  if (!tl_finite_array(2, solved)) return EOM_MOTION_NOT_FINITE;
+  if (!tl_finite_array(1, lambda)) return EOM_MOTION_NOT_FINITE;
+  if (!tl_finite_array(2, Qc)) return EOM_MOTION_NOT_FINITE;
+  return 0;
+}
+
 static const char *const bead_parameter[] = {
   "p->mass",
   "p->drag",
@@ -212,6 +255,7 @@ const eom_motion bead_motion = {
   .simulate = bead_simulate,
   .linearise = bead_linearise,
   .parameters = bead_parameters,
+  .constrained = bead_constrained,
 };
 
 static const eom_motion *const bead_motions[] = {&bead_motion};

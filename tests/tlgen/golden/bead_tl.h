@@ -26,6 +26,7 @@ int bead_energy(const void *params, const tl_real *q, const tl_real *qd, tl_real
 int bead_simulate(const void *params, const tl_real *q, const tl_real *qd, tl_real t, const eom_parts *out, tl_real *work);
 int bead_linearise(const void *params, const tl_real *q, const tl_real *qd, tl_real t, const tl_real *qdd, const tl_real *lambda, tl_real *r_y, tl_real *g_y, tl_real *work);
 int bead_parameters(const void *params, const tl_real *q, const tl_real *qd, tl_real t, const tl_real *qdd, const tl_real *lambda, tl_real *r_p, tl_real *g_p, tl_real *work);
+int bead_constrained(const void *params, const tl_real *q, const tl_real *qd, tl_real t, tl_real *solved, tl_real *lambda, tl_real *Qc, tl_real *work);
 
 #ifdef __cplusplus
 }
