@@ -1,13 +1,13 @@
 /* Linear models in minimal coordinates: a basis of what constraints allow, unique whoever does the linear algebra, and errors. */
 #include "close.h"
 #include "constrained_models.h"
+#include "evaluation.h"
 #include "random.h"
 
 #include "eom/eom.h"
 
 #include <math.h>
 #include <stdbool.h>
-#include <stdlib.h>
 #include <string.h>
 
 enum { MOST = 4, ROWS = 2, TRIES = 20 };
@@ -15,28 +15,13 @@ enum { MOST = 4, ROWS = 2, TRIES = 20 };
 /* Entries of bases at these states, whose conditions are below 1e3. */
 #define BASIS_TOLERANCE 1e-12
 
-typedef struct fixture {
-  eom_system *sys;
-  void *memory;
-  size_t bytes;
-} fixture;
-
-static fixture start(const eom_model *model, eom_linalg_choice linalg, const double *weights) {
+static evaluation start(const eom_model *model, eom_linalg_choice linalg, const double *weights) {
   eom_options options = eom_options_default();
   options.linalg = linalg;
   options.weights = weights;
-  fixture f;
-  assert_int_equal(eom_system_create(&f.sys, model, NULL, &options), EOM_OK);
-  assert_true(f.sys->n <= MOST && f.sys->m <= ROWS);
-  f.bytes = eom_minimal_bytes(f.sys);
-  f.memory = malloc(f.bytes);
-  assert_non_null(f.memory);
-  return f;
-}
-
-static void stop(fixture *f) {
-  free(f->memory);
-  eom_system_destroy(f->sys);
+  evaluation e = evaluation_start(model, NULL, &options, eom_minimal_bytes);
+  assert_true(e.sys->n <= MOST && e.sys->m <= ROWS);
+  return e;
 }
 
 /* A state on the constraints; false where there is none near. */
@@ -45,7 +30,7 @@ static bool draw(rng *r, eom_system *sys, double *q, double *qd, double t) {
   return eom_project(sys, q, qd, t, NULL) == EOM_OK;
 }
 
-static eom_minimal linearise(fixture *f, const double *q, const double *qd, double t) {
+static eom_minimal linearise(evaluation *f, const double *q, const double *qd, double t) {
   eom_minimal m;
   assert_int_equal(eom_linearise_minimal(f->sys, &m, q, qd, t, f->memory, f->bytes), EOM_OK);
   return m;
@@ -113,7 +98,7 @@ static void every_model_has_a_basis(void **state) {
   (void)state;
   rng r = {1};
   for (int i = 0; i < nconstrained_models; i++) {
-    fixture f = start(constrained_models[i], EOM_LINALG_AUTO, NULL);
+    evaluation f = start(constrained_models[i], EOM_LINALG_AUTO, NULL);
     int drawn = 0;
     for (int k = 0; k < TRIES; k++) {
       double q[MOST], qd[MOST];
@@ -126,7 +111,7 @@ static void every_model_has_a_basis(void **state) {
       assert_reduced(f.sys, &m), assert_inverse(&m), assert_ordered(&m), assert_tangent(f.sys, &m, q, qd, t);
     }
     assert_true(drawn > TRIES / 2);
-    stop(&f);
+    evaluation_stop(&f);
   }
 }
 
@@ -135,7 +120,8 @@ static void the_basis_does_not_depend_on_who_computes_it(void **state) {
   (void)state;
   rng r = {2};
   for (int i = 0; i < nconstrained_models; i++) {
-    fixture core = start(constrained_models[i], EOM_LINALG_CORE, NULL), lapack = start(constrained_models[i], EOM_LINALG_LAPACK, NULL);
+    evaluation core = start(constrained_models[i], EOM_LINALG_CORE, NULL),
+               lapack = start(constrained_models[i], EOM_LINALG_LAPACK, NULL);
     for (int k = 0; k < TRIES; k++) {
       double q[MOST], qd[MOST];
       const double t = rng_uniform(&r, 0, 1);
@@ -145,7 +131,7 @@ static void the_basis_does_not_depend_on_who_computes_it(void **state) {
       assert_memory_equal(a.coordinate, b.coordinate, (size_t)a.d * sizeof(int));
       for (int e = 0; e < 2 * a.n * a.d; e++) assert_close(a.Z[e], b.Z[e], BASIS_TOLERANCE, BASIS_TOLERANCE);
     }
-    stop(&core), stop(&lapack);
+    evaluation_stop(&core), evaluation_stop(&lapack);
   }
 }
 #endif
@@ -176,23 +162,23 @@ static void eigenvalues_do_not_depend_on_weights(void **state) {
   const double weights[2][ROWS] = {{1e-2, 1e-2}, {1e2, 1e2}};
   for (int i = 0; i < nconstrained_models; i++) {
     if (constrained_models[i]->nnonholonomic > 0) continue;
-    fixture automatic = start(constrained_models[i], EOM_LINALG_AUTO, NULL);
+    evaluation automatic = start(constrained_models[i], EOM_LINALG_AUTO, NULL);
     double q[MOST], qd[MOST], truth[8], c[8];
     while (!draw(&r, automatic.sys, q, qd, 0.5)) {
     }
     const eom_minimal m = linearise(&automatic, q, qd, 0.5);
     characteristic(&m, truth);
     for (int w = 0; w < 2; w++) {
-      fixture weighted = start(constrained_models[i], EOM_LINALG_AUTO, weights[w]);
+      evaluation weighted = start(constrained_models[i], EOM_LINALG_AUTO, weights[w]);
       const eom_minimal mw = linearise(&weighted, q, qd, 0.5);
       assert_int_equal(mw.d, m.d);
       characteristic(&mw, c);
       double largest = 1;
       for (int k = 0; k < m.d; k++) largest = fmax(largest, fabs(truth[k]));
       assert_all_close(c, truth, m.d, 0, 1e-10 * largest);
-      stop(&weighted);
+      evaluation_stop(&weighted);
     }
-    stop(&automatic);
+    evaluation_stop(&automatic);
   }
 }
 
@@ -200,21 +186,17 @@ static void eigenvalues_do_not_depend_on_weights(void **state) {
 static void repeated_rows_count_once(void **state) {
   (void)state;
   redundancy rows = {.rows = 3, .factor = {1, 1e8, -1e-8}};
-  eom_system *once, *often;
-  assert_int_equal(eom_system_create(&once, &cartesian_pendulum, NULL, NULL), EOM_OK);
-  assert_int_equal(eom_system_create(&often, &redundant, &rows, NULL), EOM_OK);
-  fixture a = {once, malloc(eom_minimal_bytes(once)), eom_minimal_bytes(once)};
-  fixture b = {often, malloc(eom_minimal_bytes(often)), eom_minimal_bytes(often)};
+  evaluation a = start(&cartesian_pendulum, EOM_LINALG_AUTO, NULL), b = evaluation_start(&redundant, &rows, NULL, eom_minimal_bytes);
   const double q[2] = {0.6, -0.8}, qd[2] = {0.4, 0.3};
   const eom_minimal x = linearise(&a, q, qd, 0), y = linearise(&b, q, qd, 0);
   assert_int_equal(x.d, 2), assert_int_equal(y.d, 2);
   assert_all_close(y.F, x.F, 4, 1e-13, 1e-13);
-  stop(&a), stop(&b);
+  evaluation_stop(&a), evaluation_stop(&b);
 }
 
 static void states_beside_the_constraints_are_refused(void **state) {
   (void)state;
-  fixture f = start(&mixed, EOM_LINALG_AUTO, NULL);
+  evaluation f = start(&mixed, EOM_LINALG_AUTO, NULL);
   rng r = {4};
   double q[3], qd[3];
   eom_minimal m;
@@ -232,7 +214,7 @@ static void states_beside_the_constraints_are_refused(void **state) {
   assert_int_equal(eom_linearise_minimal(f.sys, &m, q, qd, 0.5, f.memory, f.bytes - 1), EOM_NO_MEMORY);
   qd[0] = (double)NAN;
   assert_int_equal(eom_linearise_minimal(f.sys, &m, q, qd, 0.5, f.memory, f.bytes), EOM_NOT_FINITE);
-  stop(&f);
+  evaluation_stop(&f);
 }
 
 int main(void) {

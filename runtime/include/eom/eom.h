@@ -3,6 +3,7 @@
 #define EOM_EOM_H
 
 #include "eom/assemble.h"
+#include "eom/equilibrium.h"
 #include "eom/integrate.h"
 #include "eom/linearise.h"
 #include "eom/lyapunov.h"

@@ -57,7 +57,7 @@ typedef struct eom_report {
   const char *function; /* the model function or argument that failed; the model where a motion function did; null where none did */
   const char *source;   /* its "file.c:12", null where unknown */
   tl_status jet;        /* the failing elementary function and the source line, where a model or motion function failed */
-  int index;            /* coordinate without inertia, or place in a not finite array; -1 elsewhere */
+  int index;            /* coordinate without inertia or equilibrium, or place in a not finite array; -1 elsewhere */
   /* filled by every solve, also where it succeeds */
   int rank;          /* independent constraint rows */
   int weighted;      /* 1 where calM = M + A'WA took the place of M */
