@@ -66,19 +66,31 @@ static void qr(int n, int m, tl_real *b, int *pivot, tl_real *tau, tl_real *work
 }
 
 static void apply_qt(int n, int r, const tl_real *b, const tl_real *tau, tl_real *x, tl_real *work, int nwork) {
-  if (r > 0) check(LAPACK(ormqr)(LAPACK_COL_MAJOR, 'L', 'T', n, 1, r, b, n, tau, x, n, work, nwork));
+  if (r == 0) return;
+  const int threads = eom_lapack_begin(n);
+  check(LAPACK(ormqr)(LAPACK_COL_MAJOR, 'L', 'T', n, 1, r, b, n, tau, x, n, work, nwork));
+  eom_lapack_end(threads);
 }
 
 static void apply_q(int n, int r, const tl_real *b, const tl_real *tau, tl_real *x, tl_real *work, int nwork) {
-  if (r > 0) check(LAPACK(ormqr)(LAPACK_COL_MAJOR, 'L', 'N', n, 1, r, b, n, tau, x, n, work, nwork));
+  if (r == 0) return;
+  const int threads = eom_lapack_begin(n);
+  check(LAPACK(ormqr)(LAPACK_COL_MAJOR, 'L', 'N', n, 1, r, b, n, tau, x, n, work, nwork));
+  eom_lapack_end(threads);
 }
 
 static void solve_upper(int n, int r, const tl_real *b, tl_real *x) {
-  if (r > 0) check(LAPACK(trtrs)(LAPACK_COL_MAJOR, 'U', 'N', 'N', r, 1, b, n, x, r));
+  if (r == 0) return;
+  const int threads = eom_lapack_begin(n);
+  check(LAPACK(trtrs)(LAPACK_COL_MAJOR, 'U', 'N', 'N', r, 1, b, n, x, r));
+  eom_lapack_end(threads);
 }
 
 static void solve_upper_transposed(int n, int r, const tl_real *b, tl_real *x) {
-  if (r > 0) check(LAPACK(trtrs)(LAPACK_COL_MAJOR, 'U', 'T', 'N', r, 1, b, n, x, r));
+  if (r == 0) return;
+  const int threads = eom_lapack_begin(n);
+  check(LAPACK(trtrs)(LAPACK_COL_MAJOR, 'U', 'T', 'N', r, 1, b, n, x, r));
+  eom_lapack_end(threads);
 }
 
 const eom_linalg eom_linalg_lapacke = {.name = "lapacke",
