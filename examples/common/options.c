@@ -23,7 +23,7 @@ static void print_option(const char *name, const char *operand, const char *help
 }
 
 static noreturn void print_manual(const option *table, int count, const manual *text) {
-  printf("Usage: %s [options]\n\n%s\nOptions\n", program, text->summary);
+  printf("Usage: %s %s[options]\n\n%s\nOptions\n", program, text->operands != NULL ? text->operands : "", text->summary);
   for (int i = 0; i < count; i++) print_option(table[i].name, table[i].operand, table[i].help);
   print_option("-h, --help", NULL, "print this text");
   printf("\nExamples\n%s", text->examples);

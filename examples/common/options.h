@@ -25,6 +25,7 @@ typedef struct option {
 
 /* What --help prints around the table. */
 typedef struct manual {
+  const char *operands; /* what may stand before the options, null for nothing: the driver reads it */
   const char *summary;  /* what the program does */
   const char *examples; /* commands to try, with a word on each */
 } manual;

@@ -1,0 +1,161 @@
+/* A run of a scene: integration with projection onto the constraints, and the largest errors on the way. */
+#include "run.h"
+
+#include "common/interrupt.h"
+#include "common/progress.h"
+
+#include <math.h>
+#include <stdlib.h>
+#include <time.h>
+
+/* Two times that differ by less, in parts of the duration, are the same. */
+static const double same_time = 1e-9;
+
+/* A run under way. */
+typedef struct course {
+  run *r;
+  const scene *scene;
+  eom_system *sys;
+  eom_integrator it;
+  double energy0;
+  progress line;
+} course;
+
+static double now(void) {
+  struct timespec t;
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &t);
+  return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
+}
+
+/* Whether there is a truth at t, and its values. */
+static bool truth_at(const scene *s, double t, double *value) {
+  if (s->truth != NULL) s->truth(t, value);
+  for (int i = 0; s->truth == NULL && i < s->ndigits; i++) {
+    if (fabs(s->digits[i].t - t) > same_time * s->duration) continue;
+    for (int k = 0; k < s->values; k++) value[k] = s->digits[i].value[k];
+    return true;
+  }
+  return s->truth != NULL;
+}
+
+static double error_at(const scene *s, double t, const double *y) {
+  double truth[SCENE_MOST_VALUES], value[SCENE_MOST_VALUES], worst = 0.0;
+  if (!truth_at(s, t, truth)) return (double)NAN;
+  s->measure(y, value);
+  for (int i = 0; i < s->values; i++) {
+    const double error = fabs(value[i] - truth[i]) / fmax(fabs(truth[i]), s->floor);
+    if (!(error <= worst)) worst = error; /* a NaN stays */
+  }
+  return worst;
+}
+
+static double largest(const double *x, int count) {
+  double most = 0.0;
+  for (int i = 0; i < count; i++) most = fmax(most, fabs(x[i]));
+  return most;
+}
+
+static double balance(const course *c, const double *y) { return c->sys->energy - (c->scene->work != NULL ? c->scene->work(y) : 0.0); }
+
+/* The errors of the state now, as a new row. */
+static eom_status observe(course *c) {
+  run *r = c->r;
+  eom_system *sys = c->sys;
+  const double *y = c->it.y, t = c->it.t;
+  run_row row = {.t = t, .error = error_at(c->scene, t, y)};
+  eom_status status = eom_assemble(sys, y, y + sys->n, t);
+  if (status == EOM_OK) status = eom_solve(sys);
+  if (status != EOM_OK) return status;
+  row.phi = largest(sys->phi, sys->m1);
+  row.phi_dot = fmax(largest(sys->phi_dot, sys->m1), largest(sys->psi, sys->m2));
+  row.rank = sys->report.rank;
+  if (r->nrow == 0) c->energy0 = balance(c, y), r->worst.rank = r->most_rank = row.rank;
+  row.energy = fabs(balance(c, y) - c->energy0);
+  r->rows[r->nrow++] = row;
+  r->worst.t = t;
+  if (!(row.error <= r->worst.error) && !isnan(row.error)) r->worst.error = row.error;
+  r->worst.energy = fmax(r->worst.energy, row.energy);
+  r->worst.phi = fmax(r->worst.phi, row.phi);
+  r->worst.phi_dot = fmax(r->worst.phi_dot, row.phi_dot);
+  if (row.rank < r->worst.rank) r->worst.rank = row.rank;
+  if (row.rank > r->most_rank) r->most_rank = row.rank;
+  return EOM_OK;
+}
+
+static int heed_interrupt(void *observer, const eom_integrator *it) {
+  course *c = observer;
+  progress_show(&c->line, c->scene->name, it->t / c->r->duration);
+  return interrupted();
+}
+
+/* From output to output. */
+static eom_status advance(course *c, int outputs) {
+  eom_status status = observe(c);
+  for (int i = 1; i <= outputs && status == EOM_OK; i++) {
+    const double begin = now();
+    status = eom_integrate(&c->it, c->scene->duration * i / c->scene->outputs, heed_interrupt, c);
+    c->r->seconds += now() - begin;
+    if (status == EOM_OK) status = observe(c);
+  }
+  c->r->steps = c->it.steps;
+  c->r->evaluations = c->it.evaluations;
+  return status;
+}
+
+/* A consistent start; then all steps, equal ones that end at each output. */
+static eom_status start_and_advance(course *c, const scene_start *start, int outputs) {
+  eom_system *sys = c->sys;
+  const int n = sys->n;
+  const run_request *ask = &c->r->ask;
+  const eom_method *method = eom_method_find(ask->method);
+  const double between = c->scene->duration / c->scene->outputs;
+  double *y = malloc((size_t)(2 * n) * sizeof *y), *work = malloc(eom_integrator_size(method, 2 * n) * sizeof *work);
+  eom_status status = y != NULL && work != NULL ? EOM_OK : EOM_NO_MEMORY;
+  for (int i = 0; i < n && status == EOM_OK; i++) y[i] = start->q[i], y[n + i] = start->qd[i];
+  if (status == EOM_OK) status = eom_project(sys, y, y + n, 0.0, NULL);
+  if (status == EOM_OK) {
+    eom_integrator_init(&c->it, method, eom_rhs, sys, 2 * n, 0.0, y, between / ceil(between / ask->step), work);
+    if (sys->m > 0 && ask->drift == DRIFT_PROJECTION) c->it.correct = eom_project_state;
+    progress_start(&c->line);
+    status = advance(c, outputs);
+    progress_end(&c->line);
+  }
+  free(work);
+  free(y);
+  return status;
+}
+
+static eom_status go(run *r, course *c) {
+  const scene *s = c->scene;
+  scene_start start = {0};
+  eom_options options = eom_options_default();
+  const int outputs = (int)lround(r->duration / s->duration * s->outputs);
+  s->begin(&start);
+  options.needs = EOM_NEED_SIMULATE;
+  const eom_status status = eom_system_create(&c->sys, s->model, start.params, &options);
+  if (status != EOM_OK) return status;
+  r->n = c->sys->n, r->m = c->sys->m;
+  r->rows = calloc((size_t)outputs + 1, sizeof *r->rows);
+  return r->rows != NULL ? start_and_advance(c, &start, outputs) : EOM_NO_MEMORY;
+}
+
+void run_do(run *r, const run_request *ask) {
+  const scene *s = ask->scene;
+  *r = (run){.ask = *ask, .duration = ask->quick ? s->quick : s->duration};
+  if (r->ask.method == NULL) r->ask.method = s->method;
+  if (!(r->ask.step > 0.0)) r->ask.step = s->step;
+  course c = {.r = r, .scene = s};
+  r->status = go(r, &c);
+  if (c.sys != NULL) r->report = c.sys->report;
+  eom_system_destroy(c.sys);
+}
+
+bool run_passed(const run *r) {
+  const scene *s = r->ask.scene;
+  return r->status == EOM_OK && r->worst.error <= s->required && (!(s->energy > 0.0) || r->worst.energy <= s->energy);
+}
+
+void run_free(run *r) {
+  free(r->rows);
+  r->rows = NULL;
+}
