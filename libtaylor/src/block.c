@@ -397,8 +397,9 @@ void tl_horner_step(const tl_shape *s, tl_real *c, const tl_real *h, tl_real f, 
     for (int k = s->curve; k >= 0; k--) {
       if (p + k == 0 || p + k > top) continue;
       const tl_block b = tl_make_block(s, p, k);
-      for (int i = 0; i < b.n; i++) c[b.at + i] = c[0] * h[b.at + i];
+      tl_row_zero(b.n, c + b.at);
       tl_add_interior(s, b, c + b.at, (tl_factor){.z = TL_C(1.0)}, c, h);
+      tl_row_add(b.n, c + b.at, c[0], h + b.at); /* often the largest term: it is rounded once */
     }
   c[0] = f;
 }

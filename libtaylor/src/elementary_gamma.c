@@ -121,6 +121,12 @@ static int off_the_poles(tl_ctx *cx, tl_real *c, tl_real x, tl_fn function) {
   return 0;
 }
 
+/* The same for the logarithm, whose coefficient k falls like x^(1-k) above its poles: near x where the last ones would underflow. */
+static tl_real log_shrink_for(tl_real x, int degree) {
+  const tl_real steep = TL_LIBM(ldexp)(TL_C(1.0), -TL_MIN_EXP / (2 * degree + 2));
+  return x > steep ? TL_C(1.0) / tl_normaliser(x) : shrink_for(x);
+}
+
 /* From here on log Gamma(x) is x (log x - 1) to the last bit but for smaller terms that are smooth too. */
 static const tl_real FAR = TL_C(64.0) / TL_EPSILON;
 
@@ -147,7 +153,7 @@ void tl_lgamma(tl_ctx *cx, tl_real *c, const tl_real *a) {
   if (a[0] >= FAR && degree > 0) {
     log_gamma_far(cx, c, a, f);
   } else {
-    const tl_real shrink = shrink_for(a[0]);
+    const tl_real shrink = log_shrink_for(a[0], degree);
     log_gamma_series(l, a[0], degree, shrink);
     for (int k = 1; k <= degree; k++) f[k] = tl_narrow(l[k]);
     compose_shrunk(cx, c, a, f, shrink);

@@ -3,6 +3,8 @@
 #include "taylor/elementary.h"
 #include "wide.h"
 
+enum { MAX_DEGREE = TL_MAX_CURVE + TL_MAX_ORDER };
+
 /* c = value (a/a_0)^(p/q) by the power recurrence on a brought to the size of 1, since only ratios of its coefficients enter. a_0 not
  * 0. Where the derivatives are large, c is brought down meanwhile: the recurrence takes multiples of them. */
 static void power_by_recurrence(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real value, tl_real p, tl_real q, tl_fn function) {
@@ -92,7 +94,7 @@ static int is_moderate(tl_real x) {
 /* a^y = sum_k f_k (a - a_0)^k, f_k = binomial(y,k) a_0^(y-k): no division by a_0. For an integer y >= 0 the sum ends at k = y. The
  * factor y of the binomial comes last, since it may be tiny. */
 static void power_by_series(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real y) {
-  tl_real f[TL_MAX_CURVE + TL_MAX_ORDER + 1] = {TL_LIBM(pow)(a[0], y)};
+  tl_real f[MAX_DEGREE + 1] = {TL_LIBM(pow)(a[0], y)};
   tl_wide over_y = tl_widen(TL_C(1.0)); /* binomial(y,k)/y */
   int top = 0;
   for (int k = 1; k <= cx->shape->degree && over_y.hi != TL_C(0.0); k++) {
@@ -104,18 +106,42 @@ static void power_by_series(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real y)
   tl_check(cx, c, TL_FN_pow);
 }
 
-/* The same on a brought to the size of 1, from the value: f_k = f_(k-1) (y - k + 1)/(k a_0). */
-static void power_from_value(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real y, tl_real value) {
-  tl_real f[TL_WIDE_DEGREE + 1] = {value}, *x = tl_scratch(cx, 0);
-  const tl_real scale = tl_normaliser(a[0]);
-  tl_wide term = tl_widen(value);
+/* The same for y < 0 on a brought to the size of 1, f_k = binomial(y,k) a_0^y/(scale a_0)^k: the single powers above could vanish, or
+ * overflow, where their products with the derivatives of a do not. */
+static void negative_power_by_series(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real y) {
+  tl_real f[MAX_DEGREE + 1] = {TL_LIBM(pow)(a[0], y)}, *x = tl_scratch(cx, 0);
+  const tl_real scale = tl_normaliser(a[0]), a0 = a[0];
   for (int i = 0; i < cx->shape->ncoef; i++) x[i] = scale * a[i];
+  tl_wide over_y = tl_wide_div(tl_widen(TL_C(1.0)), tl_widen(x[0]));
   for (int k = 1; k <= cx->shape->degree; k++) {
-    term = tl_wide_div(tl_wide_mul(term, tl_wide_sum(y, (tl_real)(1 - k))), tl_wide_product((tl_real)k, x[0]));
-    f[k] = tl_narrow(term);
+    f[k] = times_power(over_y, a0, y, 0, y);
+    over_y = tl_wide_div(tl_wide_mul(over_y, tl_wide_sum(y, -(tl_real)k)), tl_wide_product((tl_real)(k + 1), x[0]));
   }
   tl_compose_blocks(cx, c, x, f, cx->shape->degree, 1);
   tl_check(cx, c, TL_FN_pow);
+}
+
+/* The same from the value: f_k = f_(k-1) (y - k + 1)/(k a_0). */
+static void power_from_value(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real y, tl_real value) {
+  tl_real f[MAX_DEGREE + 1] = {value}, *x = tl_scratch(cx, 0);
+  const tl_real scale = tl_normaliser(a[0]);
+  tl_wide term = tl_widen(value);
+  int top = 0;
+  for (int i = 0; i < cx->shape->ncoef; i++) x[i] = scale * a[i];
+  for (int k = 1; k <= cx->shape->degree && y != (tl_real)(k - 1); k++) {
+    term = tl_wide_div(tl_wide_mul(term, tl_wide_sum(y, (tl_real)(1 - k))), tl_wide_product((tl_real)k, x[0]));
+    f[k] = tl_narrow(term);
+    top = k;
+  }
+  tl_compose_blocks(cx, c, x, f, top, 1);
+  tl_check(cx, c, TL_FN_pow);
+}
+
+/* Near an integer n > 0 coefficients of the power that are not a's own are small like y - n, which the recurrence has from terms that
+ * cancel. */
+static int is_near_integer(tl_real y) {
+  const tl_real near = TL_C(0.375);
+  return y > TL_C(0.5) && TL_LIBM(fabs)(y - TL_LIBM(round)(y)) < near;
 }
 
 /* A power whose exponent is constant. A value that is too small or too large to start from does not say how large its derivatives are,
@@ -131,18 +157,16 @@ void tl_powc(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real x) {
   else if (a0 == TL_C(0.0) && !integer)
     tl_reject(cx, c, TL_SINGULAR, TL_FN_pow);
   else if (!is_moderate(value) || !is_moderate(x))
-    power_by_series(cx, c, a, x);
-  else if (cx->shape->degree <= TL_WIDE_DEGREE)
+    (x < TL_C(0.0) ? negative_power_by_series : power_by_series)(cx, c, a, x);
+  else if (cx->shape->degree <= TL_WIDE_DEGREE || is_near_integer(x))
     power_from_value(cx, c, a, x, value);
-  else if (integer && x > TL_C(0.0))
-    power_by_series(cx, c, a, x);
   else
     power_by_recurrence(cx, c, a, value, x, TL_C(1.0), TL_FN_pow);
 }
 
 /* x^b = x^b_0 exp((b - b_0) log x): f_k = (log x)^k/k! x^b_0. x > 0. */
 static void exponential_of_base(tl_ctx *cx, tl_real *c, tl_real x, const tl_real *b, tl_real value) {
-  tl_real f[TL_MAX_CURVE + TL_MAX_ORDER + 1] = {value};
+  tl_real f[MAX_DEGREE + 1] = {value};
   const tl_wide rate = tl_wide_log(tl_widen(x));
   tl_wide power = tl_widen(TL_C(1.0));
   for (int k = 1; k <= cx->shape->degree; k++) {

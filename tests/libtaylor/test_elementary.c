@@ -16,7 +16,7 @@ static const struct {
   const char *name;
   double bound;
 } BOUNDS[] = {{"cbrt", 5.0}, {"pow", 5.0},  {"rpow", 4.0},  {"lgamma", 4.0}, {"sqrt", 3.0},
-              {"tanh", 3.0}, {"cosh", 3.0}, {"asinh", 3.0}, {"acosh", 3.0}};
+              {"tanh", 3.0}, {"cosh", 3.0}, {"asinh", 3.0}, {"acosh", 3.0},  {"powc", 3.0}};
 static const double OTHER_BOUND = 2.5;
 
 /* Outside these sizes a coefficient, or a term of it, can be beyond the range of numbers or lose digits to it. */
@@ -97,7 +97,13 @@ static void assert_matches(const jet_function *f, const ref_shape *s, const tl_r
   }
 }
 
-static void assert_function(const jet_function *f, tl_spec spec, int samples, rng *r) {
+/* A point where a function is tried; of the samples, each has its own. */
+typedef struct point {
+  double x, y;
+} point;
+
+/* The function at the point, or at points of its domain where there is none. */
+static void assert_function(const jet_function *f, tl_spec spec, int samples, const point *at, rng *r) {
   const ref_function *ref = ref_lookup(f->name);
   static ref_shape s;
   static double x[REF_MAX_COEF], y[REF_MAX_COEF];
@@ -107,8 +113,8 @@ static void assert_function(const jet_function *f, tl_spec spec, int samples, rn
   tl_real *a = tl_push(&space.cx, 1), *b = tl_push(&space.cx, 1), *c = tl_push(&space.cx, 1);
   ref_jet result = ref_new(&s), size = ref_new(&s);
   for (int k = 0; k < samples; k++) {
-    double x0, y0;
-    draw_point(ref, r, &x0, &y0);
+    double x0 = at ? at->x : 0.0, y0 = at ? at->y : 0.0;
+    if (!at) draw_point(ref, r, &x0, &y0);
     draw_numbers(r, x, s.n, x0, ref->reach(x0, y0));
     draw_numbers(r, y, s.n, y0, f->two ? ref->reach_y(x0, y0) : 0.0);
     ref_apply(ref, &s, &result, &size, x, f->one ? NULL : y);
@@ -128,13 +134,63 @@ static void functions_agree_with_mpfr_in_every_shape(void **state) {
   (void)state;
   rng r = {1};
   for (int i = 0; i < njet_functions; i++)
-    for (int k = 0; k < NSPEC; k++) assert_function(&jet_functions[i], SPECS[k], samples, &r);
+    for (int k = 0; k < NSPEC; k++) assert_function(&jet_functions[i], SPECS[k], samples, NULL, &r);
 }
 
 static const jet_function *jet_named(const char *name) {
   for (int i = 0; i < njet_functions; i++)
     if (strcmp(jet_functions[i].name, name) == 0) return &jet_functions[i];
   return NULL;
+}
+
+/* Points that random ones hardly meet, or only in one number type. */
+static void functions_agree_with_mpfr_at_hard_points(void **state) {
+  (void)state;
+  const double large_base = 1090.0, least = (TL_MIN_EXP + TL_MANT_DIG - 4) / log2(large_base);
+  const struct {
+    const char *name;
+    point at;
+  } points[] = {
+      {"lgamma", {8.0 / (double)TL_EPSILON, 0.0}}, /* its last coefficients underflow */
+      {"lgamma", {2e8, 0.0}},
+      {"lgamma", {1e-9, 0.0}},
+      {"powc", {2882.576904296875, 0.99687749147415161}}, /* an exponent near an integer, whose coefficients nearly vanish */
+      {"powc", {0.990875601768493, 1.0250952243804932}},
+      {"powc", {1.5, 2.0001220703125}},
+      {"powc", {1.5, 5.99993896484375}},
+      {"powc", {2.5, 0.625}},
+      {"powc", {large_base, least}}, /* near the smallest number */
+      {"powc", {1.0 / large_base, -least}},
+      {"hypot", {0.93737351894378662, -1.6618897914886475}},
+  };
+  rng r = {12};
+  for (size_t i = 0; i < sizeof points / sizeof *points; i++) {
+    const point at = {held(points[i].at.x), held(points[i].at.y)};
+    for (int k = 0; k < NSPEC; k++) assert_function(jet_named(points[i].name), SPECS[k], 3 * samples, &at, &r);
+  }
+}
+
+/* exp(n t) by its recurrence, coefficient k = n/k times the one before, to the bit: each weight divides, by no rounded reciprocal. */
+static void exponentials_are_divided_by_each_weight_once(void **state) {
+  (void)state;
+  const tl_spec specs[] = {{7, 0, 0}, {0, 1, 7}, {0, 2, 7}, {7, 1, 1}};
+  for (size_t i = 0; i < sizeof specs / sizeof *specs; i++) {
+    jet_space space;
+    jet_space_init(&space, specs[i], 1);
+    tl_real *a = tl_push(&space.cx, 1);
+    for (int n = 1; n <= 20; n++) {
+      const int along_s = specs[i].curve > 0;
+      tl_const(&space.cx, a, 0.0);
+      a[tl_index(&space.shape, along_s, along_s ? NULL : (int[]){1, 0})] = (tl_real)n;
+      tl_exp(&space.cx, a, a);
+      tl_real expected = 1.0;
+      for (int k = 1; k <= 7; k++) {
+        expected = expected * (tl_real)n / (tl_real)k;
+        assert_real_same(along_s ? tl_coef(&space.shape, a, k, NULL) : tl_coef(&space.shape, a, 0, (int[]){k, 0}), expected);
+      }
+    }
+    jet_space_free(&space);
+  }
 }
 
 /* Where the condition number is large a formula could lose many digits unseen by the test above, although the argument itself is exact:
@@ -391,7 +447,6 @@ static void lengths_and_angles_scale_with_powers_of_two(void **state) {
   }
 }
 
-/* The angle keeps its derivatives across the cut of atan2, where only the value jumps. */
 /* Beside a subnormal x, hypot(x+h, y+g) = y + g + (x+h)^2/(2 (y+g)) - ..: the coefficients of h g^j are (-1)^j x y^(-j-1), subnormal
  * too and right to the last place. */
 static void short_sides_keep_their_digits(void **state) {
@@ -413,6 +468,7 @@ static void short_sides_keep_their_digits(void **state) {
   jet_space_free(&space);
 }
 
+/* The angle keeps its derivatives across the cut of atan2, where only the value jumps. */
 static void atan2_has_derivatives_on_its_cut(void **state) {
   (void)state;
   jet_space space;
@@ -473,6 +529,8 @@ int main(int argc, char **argv) {
   samples = test_tries(argc > 1 ? atoi(argv[1]) : samples);
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(functions_agree_with_mpfr_in_every_shape),
+      cmocka_unit_test(functions_agree_with_mpfr_at_hard_points),
+      cmocka_unit_test(exponentials_are_divided_by_each_weight_once),
       cmocka_unit_test(first_derivatives_keep_their_digits_near_the_ends),
       cmocka_unit_test(values_are_those_of_the_c_library),
       cmocka_unit_test(aliased_operands_give_the_same_bits),
