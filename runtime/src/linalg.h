@@ -39,6 +39,15 @@ int eom_linalg_work(int n, int m);
 void eom_multiply(int rows, int k, int columns, tl_real *c, const tl_real *a, const tl_real *b);
 
 extern const eom_linalg eom_linalg_core;
+
+/* Its parts that others use too. */
+void eom_core_solve_lower(int n, const tl_real *l, int k, tl_real *x);
+void eom_core_solve_lower_transposed(int n, const tl_real *l, int k, tl_real *x);
+void eom_core_apply_qt(int n, int r, const tl_real *b, const tl_real *tau, tl_real *x, tl_real *work, int nwork);
+void eom_core_apply_q(int n, int r, const tl_real *b, const tl_real *tau, tl_real *x, tl_real *work, int nwork);
+void eom_core_solve_upper(int n, int r, const tl_real *b, tl_real *x);
+void eom_core_solve_upper_transposed(int n, int r, const tl_real *b, tl_real *x);
+
 #ifdef EOM_HAVE_LAPACKE
 extern const eom_linalg eom_linalg_lapacke;
 #endif

@@ -23,8 +23,10 @@ static void axpy(int n, tl_real a, const tl_real *x, tl_real *y) {
   for (int i = 0; i < n; i++) y[i] += a * x[i];
 }
 
-/* |x|, without overflow or underflow of the squares: x is scaled by a power of two near its largest number. */
+/* |x|, without overflow or underflow of the squares: where they would, x is scaled by a power of two near its largest number. */
 static tl_real norm(int n, const tl_real *x) {
+  const tl_real plain = dot(n, x, x);
+  if (plain >= TL_MIN / TL_EPSILON && plain <= TL_MAX) return TL_LIBM(sqrt)(plain);
   tl_real largest = TL_C(0.0);
   for (int i = 0; i < n; i++) {
     const tl_real a = TL_LIBM(fabs)(x[i]);
@@ -56,7 +58,7 @@ static int cholesky(int n, tl_real *a) {
   return 0;
 }
 
-static void solve_lower(int n, const tl_real *l, int k, tl_real *x) {
+void eom_core_solve_lower(int n, const tl_real *l, int k, tl_real *x) {
   for (int v = 0; v < k; v++, x += n)
     for (int i = 0; i < n; i++) {
       const tl_real *row = l + (size_t)i * (size_t)n;
@@ -64,7 +66,7 @@ static void solve_lower(int n, const tl_real *l, int k, tl_real *x) {
     }
 }
 
-static void solve_lower_transposed(int n, const tl_real *l, int k, tl_real *x) {
+void eom_core_solve_lower_transposed(int n, const tl_real *l, int k, tl_real *x) {
   for (int v = 0; v < k; v++, x += n)
     for (int i = n - 1; i >= 0; i--) {
       const tl_real *row = l + (size_t)i * (size_t)n;
@@ -131,19 +133,19 @@ static void qr(int n, int m, tl_real *b, int *pivot, tl_real *tau, tl_real *work
   }
 }
 
-static void apply_qt(int n, int r, const tl_real *b, const tl_real *tau, tl_real *x, tl_real *work, int nwork) {
+void eom_core_apply_qt(int n, int r, const tl_real *b, const tl_real *tau, tl_real *x, tl_real *work, int nwork) {
   (void)work;
   (void)nwork;
   for (int j = 0; j < r; j++) reflect(n - j, b + (size_t)j * (size_t)n + j, tau[j], x + j);
 }
 
-static void apply_q(int n, int r, const tl_real *b, const tl_real *tau, tl_real *x, tl_real *work, int nwork) {
+void eom_core_apply_q(int n, int r, const tl_real *b, const tl_real *tau, tl_real *x, tl_real *work, int nwork) {
   (void)work;
   (void)nwork;
   for (int j = r - 1; j >= 0; j--) reflect(n - j, b + (size_t)j * (size_t)n + j, tau[j], x + j);
 }
 
-static void solve_upper(int n, int r, const tl_real *b, tl_real *x) {
+void eom_core_solve_upper(int n, int r, const tl_real *b, tl_real *x) {
   for (int j = r - 1; j >= 0; j--) {
     const tl_real *column = b + (size_t)j * (size_t)n;
     x[j] /= column[j];
@@ -151,7 +153,7 @@ static void solve_upper(int n, int r, const tl_real *b, tl_real *x) {
   }
 }
 
-static void solve_upper_transposed(int n, int r, const tl_real *b, tl_real *x) {
+void eom_core_solve_upper_transposed(int n, int r, const tl_real *b, tl_real *x) {
   for (int j = 0; j < r; j++) {
     const tl_real *column = b + (size_t)j * (size_t)n;
     x[j] = (x[j] - dot(j, column, x)) / column[j];
@@ -160,13 +162,13 @@ static void solve_upper_transposed(int n, int r, const tl_real *b, tl_real *x) {
 
 const eom_linalg eom_linalg_core = {.name = "core",
                                     .cholesky = cholesky,
-                                    .solve_lower = solve_lower,
-                                    .solve_lower_transposed = solve_lower_transposed,
+                                    .solve_lower = eom_core_solve_lower,
+                                    .solve_lower_transposed = eom_core_solve_lower_transposed,
                                     .qr = qr,
-                                    .apply_qt = apply_qt,
-                                    .apply_q = apply_q,
-                                    .solve_upper = solve_upper,
-                                    .solve_upper_transposed = solve_upper_transposed};
+                                    .apply_qt = eom_core_apply_qt,
+                                    .apply_q = eom_core_apply_q,
+                                    .solve_upper = eom_core_solve_upper,
+                                    .solve_upper_transposed = eom_core_solve_upper_transposed};
 
 int eom_linalg_work(int n, int m) { return 32 * (n + m) + 2 * m + n + 64; }
 

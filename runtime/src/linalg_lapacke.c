@@ -1,7 +1,8 @@
 /* The dense linear algebra through LAPACKE.
  *
  * LAPACK's columns are our set of vectors; the lower triangle by rows is its upper triangle. Calls with sizes this code made cannot
- * fail but for a pivot of Cholesky. */
+ * fail but for a pivot of Cholesky. What is done to one vector is left to the core, whose arrays are the same: LAPACK would take longer
+ * to begin, and OpenBLAS would wake its threads for it. */
 #include "linalg.h"
 
 #include "lapack.h"
@@ -43,14 +44,12 @@ static int cholesky(int n, tl_real *a) {
 }
 
 static void solve_lower(int n, const tl_real *l, int k, tl_real *x) {
+  if (k == 1) {
+    eom_core_solve_lower(n, l, k, x);
+    return;
+  }
   const int threads = eom_lapack_begin(n);
   check(LAPACK(trtrs)(LAPACK_COL_MAJOR, 'U', 'T', 'N', n, k, l, n, x, n));
-  eom_lapack_end(threads);
-}
-
-static void solve_lower_transposed(int n, const tl_real *l, int k, tl_real *x) {
-  const int threads = eom_lapack_begin(n);
-  check(LAPACK(trtrs)(LAPACK_COL_MAJOR, 'U', 'N', 'N', n, k, l, n, x, n));
   eom_lapack_end(threads);
 }
 
@@ -65,40 +64,12 @@ static void qr(int n, int m, tl_real *b, int *pivot, tl_real *tau, tl_real *work
   eom_lapack_end(threads);
 }
 
-static void apply_qt(int n, int r, const tl_real *b, const tl_real *tau, tl_real *x, tl_real *work, int nwork) {
-  if (r == 0) return;
-  const int threads = eom_lapack_begin(n);
-  check(LAPACK(ormqr)(LAPACK_COL_MAJOR, 'L', 'T', n, 1, r, b, n, tau, x, n, work, nwork));
-  eom_lapack_end(threads);
-}
-
-static void apply_q(int n, int r, const tl_real *b, const tl_real *tau, tl_real *x, tl_real *work, int nwork) {
-  if (r == 0) return;
-  const int threads = eom_lapack_begin(n);
-  check(LAPACK(ormqr)(LAPACK_COL_MAJOR, 'L', 'N', n, 1, r, b, n, tau, x, n, work, nwork));
-  eom_lapack_end(threads);
-}
-
-static void solve_upper(int n, int r, const tl_real *b, tl_real *x) {
-  if (r == 0) return;
-  const int threads = eom_lapack_begin(n);
-  check(LAPACK(trtrs)(LAPACK_COL_MAJOR, 'U', 'N', 'N', r, 1, b, n, x, r));
-  eom_lapack_end(threads);
-}
-
-static void solve_upper_transposed(int n, int r, const tl_real *b, tl_real *x) {
-  if (r == 0) return;
-  const int threads = eom_lapack_begin(n);
-  check(LAPACK(trtrs)(LAPACK_COL_MAJOR, 'U', 'T', 'N', r, 1, b, n, x, r));
-  eom_lapack_end(threads);
-}
-
 const eom_linalg eom_linalg_lapacke = {.name = "lapacke",
                                        .cholesky = cholesky,
                                        .solve_lower = solve_lower,
-                                       .solve_lower_transposed = solve_lower_transposed,
+                                       .solve_lower_transposed = eom_core_solve_lower_transposed,
                                        .qr = qr,
-                                       .apply_qt = apply_qt,
-                                       .apply_q = apply_q,
-                                       .solve_upper = solve_upper,
-                                       .solve_upper_transposed = solve_upper_transposed};
+                                       .apply_qt = eom_core_apply_qt,
+                                       .apply_q = eom_core_apply_q,
+                                       .solve_upper = eom_core_solve_upper,
+                                       .solve_upper_transposed = eom_core_solve_upper_transposed};
