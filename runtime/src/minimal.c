@@ -57,26 +57,30 @@ size_t eom_minimal_bytes(const eom_system *sys) {
 
 /* ---- the state must satisfy the constraints ---- */
 
-/* The largest number of x, coordinates scaled to unit inertia. */
-static tl_real extent(const eom_system *sys, const tl_real *x) {
-  tl_real most = TL_C(0.0);
-  for (int i = 0; i < sys->n; i++) most = TL_LIBM(fmax)(most, TL_LIBM(fabs)(x[i] / sys->workspace->factor.S[i]));
-  return most;
+/* What a row may miss by, as a length in the mass metric: a part of the size of x, and for what rounding leaves where x is zero but
+ * lengths of the mechanism are not, a far smaller part of one unit. */
+static tl_real permitted(const eom_system *sys, const tl_real *x) {
+  tl_real size = TL_C(0.0), unit = TL_C(0.0);
+  for (int i = 0; i < sys->n; i++) {
+    const tl_real scale = sys->workspace->factor.S[i];
+    size = TL_LIBM(fmax)(size, TL_LIBM(fabs)(x[i]) / scale);
+    unit = TL_LIBM(fmax)(unit, TL_C(1.0) / scale);
+  }
+  return sys->options.consistency_tolerance * size + sys->options.rank_tolerance * unit;
 }
 
-static bool misses(const eom_system *sys, int row, tl_real size_q, tl_real size_qd) {
-  const tl_real unit = sys->workspace->factor.D[row], tolerance = sys->options.consistency_tolerance;
+static bool misses(const eom_system *sys, int row, tl_real permitted_q, tl_real permitted_qd) {
+  const tl_real unit = sys->workspace->factor.D[row];
   const tl_real rate = row < sys->m1 ? sys->phi_dot[row] : sys->psi[row - sys->m1];
-  if (!(TL_LIBM(fabs)(rate) * unit <= tolerance * size_qd)) return true;
-  return row < sys->m1 && !(TL_LIBM(fabs)(sys->phi[row]) * unit <= tolerance * size_q);
+  if (!(TL_LIBM(fabs)(rate) * unit <= permitted_qd)) return true;
+  return row < sys->m1 && !(TL_LIBM(fabs)(sys->phi[row]) * unit <= permitted_q);
 }
 
-/* Each miss as a length in the mass metric beside the size of the state. */
 static eom_status check_state(eom_system *sys, const tl_real *q, const tl_real *qd) {
   eom_report *report = &sys->report;
-  const tl_real size_q = extent(sys, q), size_qd = extent(sys, qd);
+  const tl_real permitted_q = permitted(sys, q), permitted_qd = permitted(sys, qd);
   for (int r = 0; r < sys->m; r++) {
-    if (!misses(sys, r, size_q, size_qd)) continue;
+    if (!misses(sys, r, permitted_q, permitted_qd)) continue;
     if (report->status == EOM_OK) report->nrow = 0;
     report->status = EOM_OFF_CONSTRAINTS;
     if (report->nrow < EOM_REPORT_ROWS) {

@@ -2,6 +2,7 @@
 #include "close.h"
 #include "constrained_models.h"
 #include "evaluation.h"
+#include "pen.h"
 #include "random.h"
 
 #include "eom/eom.h"
@@ -23,6 +24,42 @@ static evaluation start(const eom_model *model, eom_linalg_choice linalg, const 
   assert_true(e.sys->n <= MOST && e.sys->m <= ROWS);
   return e;
 }
+
+/* ---- models for one purpose ---- */
+
+static int one(const void *params) { return (void)params, 1; }
+static int two(const void *params) { return (void)params, 2; }
+static size_t frame(const void *params) { return (void)params, PEN_FRAME; }
+
+/* L = x'^2/2 - 2 x^2 of q = (x, turn): the turn has no inertia. */
+static void spring_lagrangian(tl_ctx *cx, tl_real *out, const tl_real *q, const tl_real *qd, const tl_real *t, const void *params) {
+  pen p = {cx, 0};
+  (void)t, (void)params;
+  pen_result(&p, out, sub(&p, times(&p, 0.5, square(&p, at(&p, qd, 0))), times(&p, 2, square(&p, at(&p, q, 0)))));
+  pen_lift(&p);
+}
+
+/* turn' = 3 x'. */
+static void wheel(tl_ctx *cx, tl_real *out, const tl_real *q, const tl_real *qd, const tl_real *t, const void *params) {
+  pen p = {cx, 0};
+  (void)q, (void)t, (void)params;
+  pen_result(&p, out, sub(&p, at(&p, qd, 1), times(&p, 3, at(&p, qd, 0))));
+  pen_lift(&p);
+}
+
+/* x = 0, turn = 0, with what 0.1 + 0.2 - 0.3 leaves. */
+static void pins(tl_ctx *cx, tl_real *out, const tl_real *q, const tl_real *qd, const tl_real *t, const void *params) {
+  pen p = {cx, 0};
+  (void)qd, (void)t, (void)params;
+  for (int i = 0; i < 2; i++) pen_result(&p, row(&p, out, i), plus(&p, at(&p, q, i), 5.5e-17));
+  pen_lift(&p);
+}
+
+static const eom_function wheel_list[] = {{.name = "wheel", .jet = wheel, .rows = one, .frame = frame}};
+static const eom_function pin_list[] = {{.name = "pins", .jet = pins, .rows = two, .frame = frame}};
+#define SPRING .dof = two, .lagrangian = {.name = "spring", .jet = spring_lagrangian, .rows = one, .frame = frame}
+static const eom_model massless_wheel = {.name = "massless_wheel", SPRING, .nonholonomic = wheel_list, .nnonholonomic = 1};
+static const eom_model pinned = {.name = "pinned", SPRING, .holonomic = pin_list, .nholonomic = 1};
 
 /* A state on the constraints; false where there is none near. */
 static bool draw(rng *r, eom_system *sys, double *q, double *qd, double t) {
@@ -194,6 +231,29 @@ static void repeated_rows_count_once(void **state) {
   evaluation_stop(&a), evaluation_stop(&b);
 }
 
+/* A coordinate whose inertia only a nonholonomic row knows of: s (s^2 + 4) = 0, the zero for the turn. */
+static void positions_without_inertia(void **state) {
+  (void)state;
+  evaluation e = start(&massless_wheel, EOM_LINALG_AUTO, NULL);
+  const double q[2] = {0.2, 0.4}, qd[2] = {-0.3, -0.9}, truth[3] = {0, 4, 0};
+  double c[8];
+  const eom_minimal m = linearise(&e, q, qd, 0);
+  assert_int_equal(e.sys->report.weighted, 1);
+  assert_int_equal(m.nq, 2), assert_int_equal(m.d, 3);
+  assert_inverse(&m), assert_ordered(&m), assert_tangent(e.sys, &m, q, qd, 0);
+  characteristic(&m, c);
+  assert_all_close(c, truth, 3, 0, 1e-13);
+  evaluation_stop(&e);
+}
+
+static void nothing_is_left_to_move(void **state) {
+  (void)state;
+  evaluation e = start(&pinned, EOM_LINALG_AUTO, NULL);
+  const double q[2] = {0, 0}, qd[2] = {0, 0};
+  assert_int_equal(linearise(&e, q, qd, 0).d, 0);
+  evaluation_stop(&e);
+}
+
 static void states_beside_the_constraints_are_refused(void **state) {
   (void)state;
   evaluation f = start(&mixed, EOM_LINALG_AUTO, NULL);
@@ -225,6 +285,8 @@ int main(void) {
 #endif
       cmocka_unit_test(eigenvalues_do_not_depend_on_weights),
       cmocka_unit_test(repeated_rows_count_once),
+      cmocka_unit_test(positions_without_inertia),
+      cmocka_unit_test(nothing_is_left_to_move),
       cmocka_unit_test(states_beside_the_constraints_are_refused),
   };
   return cmocka_run_group_tests_name("minimal", tests, NULL, NULL);

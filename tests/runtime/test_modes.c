@@ -55,17 +55,23 @@ static void finish(analysis *a) {
   eom_system_destroy(a->sys);
 }
 
+/* A line of the table of measured errors: of nonzero eigenvalues, in parts of the largest. */
+static void tell(const char *what, int states, double error) { print_message("%-18s %3d states  %.1e\n", what, states, error); }
+
 /* The 2 count eigenvalues +- i omega, and before them as many zeros as there are others. omega: ascending. */
-static void assert_frequencies(const analysis *a, const double *omega, int count) {
+static void assert_frequencies(const char *what, const analysis *a, const double *omega, int count) {
   const int d = a->minimal.d, zeros = d - 2 * count;
   const double largest = omega[count - 1];
+  double worst = 0;
   for (int i = 0; i < zeros; i++) assert_close(hypot(a->modes[i].re, a->modes[i].im), 0, 0, DOUBLE_ZERO * largest);
   for (int i = zeros; i < d; i++) {
-    const int k = (i - zeros) / 2;
-    assert_close(a->modes[i].im, (i - zeros) % 2 ? -omega[k] : omega[k], 0, EIGENVALUE_TOLERANCE * largest);
+    const double truth = (i - zeros) % 2 ? -omega[(i - zeros) / 2] : omega[(i - zeros) / 2];
+    assert_close(a->modes[i].im, truth, 0, EIGENVALUE_TOLERANCE * largest);
     assert_close(a->modes[i].re, 0, 0, EIGENVALUE_TOLERANCE * largest);
-    assert_close(a->modes[i].frequency, omega[k] / 6.283185307179586477, 0, EIGENVALUE_TOLERANCE * largest);
+    assert_close(a->modes[i].frequency, fabs(truth) / 6.283185307179586477, 0, EIGENVALUE_TOLERANCE * largest);
+    worst = fmax(worst, hypot(a->modes[i].re, a->modes[i].im - truth) / largest);
   }
+  tell(what, d, worst);
 }
 
 static cartesian_pendulum chain_of(int links) {
@@ -90,7 +96,7 @@ static void double_pendulum(void **state) {
   const double omega[2] = {sqrt(g * w[0]), sqrt(g * w[1])};
   analysis s = analyse_hanging(&p);
   assert_int_equal(s.minimal.d, 4);
-  assert_frequencies(&s, omega, 2);
+  assert_frequencies("double pendulum", &s, omega, 2);
   for (int k = 0; k < 2; k++) {
     const double ratio = 1 + l2 * w[k] / (1 - w[k] * l2), largest = fmax(1, fabs(ratio)), sign = fabs(ratio) > 1 && ratio < 0 ? -1 : 1;
     const double *re = s.shapes + 2 * k * 16, *im = re + 8; /* re, im of (x1, y1, x2, y2) and their rates: rates are i omega shape */
@@ -125,13 +131,16 @@ static void hanging_chain(void **state) {
     analysis a = analyse_hanging(&p);
     assert_int_equal(a.minimal.d, 2 * N);
     const double largest = a.modes[2 * N - 1].frequency * 6.283185307179586477;
+    double worst = 0;
     for (int k = 0; k < N; k++) {
       const double omega = a.modes[2 * k].im;
       long double slope, x = (long double)omega * omega / g;
       const long double step = laguerre(N, x, &slope) / slope;
       assert_close((double)(g * step) / (2 * omega), 0, 0, EIGENVALUE_TOLERANCE * largest);
+      worst = fmax(worst, fabs((double)(g * step) / (2 * omega)) / largest);
       if (k > 0) assert_true(omega - a.modes[2 * k - 2].im > 1e-3);
     }
+    tell("hanging chain", 2 * N, worst);
     finish(&a);
   }
 }
@@ -144,7 +153,7 @@ static void conical_pendulum(void **state) {
   const double q[3] = {p.length * sin(a), 0.2, -p.length * cos(a)}, qd[3] = {0, spin, 0};
   analysis s = analyse(&conical_model, &p, q, qd);
   assert_int_equal(s.minimal.d, 4);
-  assert_frequencies(&s, &omega, 1);
+  assert_frequencies("conical pendulum", &s, &omega, 1);
   finish(&s);
 }
 
@@ -159,7 +168,7 @@ static void nutation(void **state) {
   const double q[5] = {p.length * sin(a), p.length * cos(a), 0.3, a, 1.1}, qd[5] = {0, 0, P, 0, w3 - P * cos(a)};
   analysis s = analyse(&top_model, &p, q, qd);
   assert_int_equal(s.minimal.d, 6);
-  assert_frequencies(&s, &omega, 1);
+  assert_frequencies("nutation", &s, &omega, 1);
   finish(&s);
 }
 
@@ -174,7 +183,7 @@ static void sleeping_top(void **state) {
   const double H = p.along * p.spin, root = sqrt(H * H - 4 * p.across * torque);
   const double omega[2] = {(H - root) / (2 * p.across), (H + root) / (2 * p.across)};
   analysis fast = analyse(&sleeping_model, &p, q, qd);
-  assert_frequencies(&fast, omega, 2);
+  assert_frequencies("sleeping top", &fast, omega, 2);
   finish(&fast);
   p.spin = 0.8 * critical;
   const double h = p.along * p.spin, rate = sqrt(4 * p.across * torque - h * h) / (2 * p.across), turn = h / (2 * p.across);
@@ -199,12 +208,15 @@ static void rolling_disk(void **state) {
     analysis a = analyse(&disk_model, &p, q, qd);
     assert_int_equal(a.minimal.d, 8);
     int found = 0;
+    double worst = 0;
     for (int i = 0; i < 8; i++) {
       const double s = fast ? a.modes[i].im : a.modes[i].re, other = fast ? a.modes[i].re : a.modes[i].im;
       if (fabs(s) < rate / 2) continue;
       assert_close(fabs(s), rate, 0, 1e-10), assert_close(other, 0, 0, 1e-10); /* beside six zeros of w = 2.8 1/s */
+      worst = fmax(worst, hypot(fabs(s) - rate, other) / w);
       found++;
     }
+    tell(fast ? "disk, stable" : "disk, unstable", 8, worst);
     assert_int_equal(found, 2);
     finish(&a);
   }
@@ -219,10 +231,13 @@ static void chaplygin_sleigh(void **state) {
   analysis a = analyse(&chaplygin_model, &p, q, qd);
   assert_int_equal(a.minimal.d, 5);
   int fallen = 0, still = 0;
+  double nearest = 1;
   for (int i = 0; i < 5; i++) {
+    nearest = fmin(nearest, fabs(a.modes[i].re + rate) / rate);
     if (fabs(a.modes[i].re + rate) < EIGENVALUE_TOLERANCE * rate && a.modes[i].im == 0 && a.modes[i].damping == 1) fallen++;
     if (hypot(a.modes[i].re, a.modes[i].im) < DOUBLE_ZERO * rate) still++;
   }
+  tell("Chaplygin's sleigh", 5, nearest);
   assert_int_equal(fallen, 1), assert_int_equal(still, 4);
   finish(&a);
 }

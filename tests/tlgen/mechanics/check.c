@@ -22,8 +22,8 @@
 static const double BLOCK_RTOL = 1e-12;
 
 /* The columns of the table. */
-enum { VALUE, GRADIENT, HESSIAN, THIRD, QDD, QDD_Y, LAMBDA, ROWS, COLUMNS };
-static const char *const names[COLUMNS] = {"L", "gradient", "hessian", "third", "qdd", "qdd_y", "lambda", "rows"};
+enum { VALUE, GRADIENT, HESSIAN, THIRD, QDD, QDD_Y, LAMBDA, LAMBDA_Y, ROWS, COLUMNS };
+static const char *const names[COLUMNS] = {"L", "gradient", "hessian", "third", "qdd", "qdd_y", "lambda", "lambda_y", "rows"};
 
 typedef struct errors {
   double error[COLUMNS];     /* relative; negative where there is nothing */
@@ -162,6 +162,7 @@ static void check_motion(errors *e, const point *p, eom_system *sys) {
   compare_all(e, p, QDD, "runtime", sys->qdd, n);
   compare_all(e, p, QDD_Y, "runtime", sys->qdd_y, 2 * n * n);
   compare_all(e, p, LAMBDA, "runtime", sys->lambda, sys->m);
+  if (sys->m > 0) compare_all(e, p, LAMBDA_Y, "runtime", sys->lambda_y, 2 * n * sys->m);
 }
 
 static errors no_errors(void) {

@@ -69,3 +69,7 @@ add_mechanics(satellite "satellite with reaction wheels in the gravity gradient;
   LAGRANGIAN sat_lagrangian FORCE sat_motor_torque)
 add_mechanics(dipole_field "charge among magnets; small structs by value through helpers of another file" DOF 3 LAGRANGIAN charge_lagrangian
   ARGS q=x,y,z qd=xd,yd,zd p=s PARAMS "&trap" FILES dipole_vec.c)
+add_mechanics(andrews "Andrews' squeezing mechanism; the example's own source" DOF 7 LAGRANGIAN andrews_lagrangian FORCE andrews_torque
+  HOLONOMIC andrews_loops:6 PARAMS "published()")
+add_mechanics(flyball_rods "flyball governor with rigid rods; the example's source and a constraint beside it" DOF 4 LAGRANGIAN flyball_lagrangian
+  FORCE flyball_dampers HOLONOMIC rods:2 PARAMS "with_rods()")

@@ -2,7 +2,7 @@
 #ifndef TEST_MECHANICS_REFERENCE_H
 #define TEST_MECHANICS_REFERENCE_H
 
-enum { MAX_BLOCKS = 8 };
+enum { MAX_BLOCKS = 9 };
 
 /* A group of numbers in order, as reference.py names it, and the condition of its computation. */
 typedef struct block {

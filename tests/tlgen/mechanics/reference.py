@@ -148,9 +148,11 @@ def motion_blocks(model, x, with_jacobian):
     if with_jacobian:
         d = Differences(model.accelerations, x, STEP2)
         columns = [d(i) for i in range(2 * model.n)]
-        blocks.append(['qdd_y', condition, [c[i] for i in range(model.n) for c in columns]])
-        for place, part in ((0, slice(0, model.n)), (1, slice(model.n, None)), (2, slice(0, model.n))):
-            blocks[place][1] = max(condition, relative_growth(x, both[part], [c[part] for c in columns]))
+        parts = (slice(0, model.n), slice(model.n, None))
+        for name, part in zip(('qdd_y', 'lambda_y') if len(both) > model.n else ('qdd_y',), parts):
+            blocks.append([name, condition, [derivative for row in zip(*(c[part] for c in columns)) for derivative in row]])
+        for block, part in zip(blocks, parts + parts):
+            block[1] = max(condition, relative_growth(x, both[part], [c[part] for c in columns]))
     rows = Differences(model.constraint_rows, x, STEP)
     if rows():
         blocks.append(['rows', relative_growth(x, rows(), [rows(i) for i in range(len(x))]), rows()])
