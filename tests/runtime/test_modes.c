@@ -55,7 +55,7 @@ static void finish(analysis *a) {
   eom_system_destroy(a->sys);
 }
 
-/* A line of the table of measured errors: of nonzero eigenvalues, in parts of the largest. */
+/* A line of the table of measured errors: of nonzero eigenvalues, in parts of the largest rate of the motion. */
 static void tell(const char *what, int states, double error) { print_message("%-18s %3d states  %.1e\n", what, states, error); }
 
 /* The 2 count eigenvalues +- i omega, and before them as many zeros as there are others. omega: ascending. */
