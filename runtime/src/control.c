@@ -105,10 +105,11 @@ static eom_status first_step(eom_integrator *it, tl_real way) {
   tl_real h0 = d0 < tiny || d1 < tiny ? TL_C(1e-6) : TL_C(0.01) * d0 / d1;
   h0 = bounded(it, h0 < size(way) ? h0 : size(way));
   const tl_real one = TL_C(1.0);
+  it->interpolates = INTERPOLATES_NOT;
   tl_real *k1 = eom_slope(it, 1);
   for (int tries = 0;; tries++) {
     status = eom_combine(it, it->trial, it->y, TL_LIBM(copysign)(h0, way), &one, 1)
-                 ? eom_evaluate_slope(it, 1, it->t + TL_LIBM(copysign)(h0, way))
+                 ? eom_evaluate(it, it->t + TL_LIBM(copysign)(h0, way), it->trial, k1)
                  : EOM_NOT_FINITE;
     if (status == EOM_OK) break;
     it->failed++;
@@ -129,7 +130,7 @@ static eom_status attempt(eom_integrator *it, tl_real h, tl_real t1, int *good) 
   const int end_counts = it->method->error[it->method->stages] != TL_C(0.0);
   *good = 0;
   eom_status status = eom_try_step(it, h, t1);
-  if (status == EOM_OK && end_counts) status = eom_evaluate_slope(it, it->method->stages, t1);
+  if (status == EOM_OK && end_counts) status = eom_evaluate(it, t1, it->trial, eom_slope(it, it->method->stages));
   if (status != EOM_OK) return status;
   it->error = error_of(it, h);
   if (it->error != it->error) return EOM_NOT_FINITE;

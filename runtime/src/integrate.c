@@ -33,7 +33,8 @@ void eom_integrator_init(eom_integrator *it, const eom_method *method, eom_rhs_f
 
 void eom_integrator_restart(eom_integrator *it) {
   it->slope0 = SLOPE0_UNKNOWN;
-  it->interpolates = 0;
+  if (it->interpolates != INTERPOLATES_READY) it->interpolates = INTERPOLATES_NOT; /* f may be another one now */
+  if (it->events) eom_events_forget(it->events);
 }
 
 /* ---- fixed steps ---- */
@@ -89,11 +90,16 @@ static int leads_to(eom_integrator *it, tl_real t_end) {
 eom_status eom_integrate(eom_integrator *it, tl_real t_end, eom_observe_fn *observe, void *observer) {
   if (!leads_to(it, t_end)) return EOM_BAD_OPTION;
   const long before = it->steps + it->rejected + it->failed, most = it->control.most_steps;
-  while (!arrived(it, t_end)) {
+  eom_status status = eom_write_outputs(it, it->t);
+  while (status == EOM_OK && !arrived(it, t_end)) {
     if (most > 0 && it->steps + it->rejected + it->failed - before >= most) return EOM_TOO_MUCH_WORK;
-    const eom_status status = step_towards(it, t_end);
-    if (status != EOM_OK) return status;
-    if (observe && observe(observer, it) != 0) return EOM_STOPPED;
+    status = step_towards(it, t_end);
+    if (status == EOM_OK && it->events) status = eom_watch_step(it);
+    if (status == EOM_OK || status == EOM_STOPPED) {
+      const eom_status written = eom_write_outputs(it, it->t);
+      if (written != EOM_OK) return written;
+      if (observe && observe(observer, it) != 0) return EOM_STOPPED;
+    }
   }
-  return EOM_OK;
+  return status;
 }

@@ -31,26 +31,24 @@ int eom_combine(const eom_integrator *it, tl_real *out, const tl_real *from, tl_
   return sum == TL_C(0.0);
 }
 
-static int all_finite(const tl_real *x, int count) {
+int eom_all_finite(const tl_real *x, int count) {
   tl_real sum = TL_C(0.0);
   for (int i = 0; i < count; i++) sum += x[i] - x[i];
   return sum == TL_C(0.0);
 }
 
-static eom_status evaluate(eom_integrator *it, tl_real t, const tl_real *y, tl_real *ydot) {
+eom_status eom_evaluate(eom_integrator *it, tl_real t, const tl_real *y, tl_real *ydot) {
   it->evaluations++;
   it->rhs_code = it->rhs(it->user, t, y, ydot);
   return it->rhs_code == 0 ? EOM_OK : EOM_RHS_FAILED;
 }
 
-eom_status eom_evaluate_slope(eom_integrator *it, int i, tl_real t) { return evaluate(it, t, it->trial, eom_slope(it, i)); }
-
 eom_status eom_start_slope(eom_integrator *it) {
   if (it->slope0 == SLOPE0_AT_END) memcpy(it->slope, eom_slope(it, it->method->stages), (size_t)it->dim * sizeof(tl_real));
   if (it->slope0 == SLOPE0_UNKNOWN) {
-    const eom_status status = evaluate(it, it->t, it->y, it->slope);
+    const eom_status status = eom_evaluate(it, it->t, it->y, it->slope);
     if (status != EOM_OK) return status;
-    if (!all_finite(it->slope, it->dim)) return EOM_NOT_FINITE;
+    if (!eom_all_finite(it->slope, it->dim)) return EOM_NOT_FINITE;
   }
   it->slope0 = SLOPE0_KNOWN;
   return EOM_OK;
@@ -58,34 +56,35 @@ eom_status eom_start_slope(eom_integrator *it) {
 
 eom_status eom_try_step(eom_integrator *it, tl_real h, tl_real t1) {
   const eom_method *m = it->method;
-  it->interpolates = 0;
+  it->interpolates = INTERPOLATES_NOT;
   eom_status status = eom_start_slope(it);
   for (int i = 1; status == EOM_OK && i <= m->stages; i++) {
     if (!eom_combine(it, it->trial, it->y, h, m->a + i * (i - 1) / 2, i)) return EOM_NOT_FINITE;
     if (i == m->stages) break;
-    status = eom_evaluate_slope(it, i, m->c[i] == TL_C(1.0) ? t1 : it->t + m->c[i] * h);
+    status = eom_evaluate(it, m->c[i] == TL_C(1.0) ? t1 : it->t + m->c[i] * h, it->trial, eom_slope(it, i));
   }
   return status;
 }
 
 eom_status eom_take_step(eom_integrator *it, tl_real t1, int end_known) {
   const size_t bytes = (size_t)it->dim * sizeof(tl_real);
+  tl_real *end = eom_slope(it, it->method->stages);
   if (it->correct) {
     it->rhs_code = it->correct(it->user, t1, it->trial);
     if (it->rhs_code != 0) return EOM_RHS_FAILED;
-    if (!all_finite(it->trial, it->dim)) return EOM_NOT_FINITE;
+    if (!eom_all_finite(it->trial, it->dim)) return EOM_NOT_FINITE;
   }
   if (!end_known || it->correct) {
-    const eom_status status = eom_evaluate_slope(it, it->method->stages, t1);
+    const eom_status status = eom_evaluate(it, t1, it->trial, end);
     if (status != EOM_OK) return status;
   }
-  if (!all_finite(eom_slope(it, it->method->stages), it->dim)) return EOM_NOT_FINITE;
+  if (!eom_all_finite(end, it->dim)) return EOM_NOT_FINITE;
   memcpy(it->before, it->y, bytes);
   memcpy(it->y, it->trial, bytes);
   it->t_before = it->t;
-  it->t = t1;
+  it->t = it->t_after = t1;
   it->slope0 = SLOPE0_AT_END;
-  it->interpolates = 1;
+  it->interpolates = INTERPOLATES;
   it->steps++;
   return EOM_OK;
 }

@@ -7,14 +7,17 @@
 /* What slope 0, the derivative at the start of the next step, is known to be. */
 enum { SLOPE0_UNKNOWN, SLOPE0_KNOWN, SLOPE0_AT_END /* in the place of the slope at the end of the last step */ };
 
+/* What is there of the last step to interpolate: its ends and slopes, and what eom_interpolate adds to them. A new trial spoils it. */
+enum { INTERPOLATES_NOT, INTERPOLATES, INTERPOLATES_READY };
+
 /* Slope k_i: stride numbers, of which those from dim on are zero. */
 static inline tl_real *eom_slope(const eom_integrator *it, int i) { return it->slope + (size_t)i * it->stride; }
 
 /* out = from + h sum_(j<count) w_j k_j; stride numbers each, out may be from. Returns 1 where all are finite. */
 int eom_combine(const eom_integrator *it, tl_real *out, const tl_real *from, tl_real h, const tl_real *w, int count);
 
-/* The slope i at its time and trial point. RHS_FAILED. */
-eom_status eom_evaluate_slope(eom_integrator *it, int i, tl_real t);
+/* ydot = f(t,y), counted. RHS_FAILED. */
+eom_status eom_evaluate(eom_integrator *it, tl_real t, const tl_real *y, tl_real *ydot);
 
 /* Slopes 0 to stages-1 of a step of h to t1, and trial = y1. RHS_FAILED, NOT_FINITE. */
 eom_status eom_try_step(eom_integrator *it, tl_real h, tl_real t1);
@@ -28,5 +31,21 @@ eom_status eom_take_step(eom_integrator *it, tl_real t1, int end_known);
 
 /* One step whose length is chosen, not beyond t_end, and the length of the next one. */
 eom_status eom_controlled_step(eom_integrator *it, tl_real t_end);
+
+/* All count numbers are finite. */
+int eom_all_finite(const tl_real *x, int count);
+
+/* As eom_integrator_at, in all of the last step, also where an event has cut it short since. */
+eom_status eom_interpolate(eom_integrator *it, tl_real t, tl_real *y);
+
+/* Handles the events of the step that was taken; it->t is then the end of the step, or the time of the event that cut it short. STOPPED
+ * where one stops; errors of eom_integrator_at and of the user's functions (RHS_FAILED, NOT_FINITE). */
+eom_status eom_watch_step(eom_integrator *it);
+
+/* The next step begins at another state than the last one ended with. */
+void eom_events_forget(struct eom_events *events);
+
+/* Writes what it->outputs asks for in the last step, not beyond a time in it. Errors of eom_integrator_at. */
+eom_status eom_write_outputs(eom_integrator *it, tl_real until);
 
 #endif

@@ -124,6 +124,39 @@ static void estimates_have_their_order(void **state) {
   }
 }
 
+/* The weights of the slopes in the interpolation at theta, by the formula that stands in dense.c, applied to each slope alone. */
+static void dense_weights(const eom_method *m, tl_real theta, tl_real *w) {
+  const int s = m->stages, count = s + 1 + m->dense_stages;
+  const tl_real *b = m->a + s * (s - 1) / 2, rest = 1 - theta;
+  for (int i = 0; i < count; i++) {
+    const tl_real k0 = i == 0, ks = i == s, change = i < s ? b[i] : 0;
+    tl_real d[4] = {0};
+    for (int row = 0; row < m->dense_rows; row++) d[row] = m->dense[row * count + i];
+    const tl_real inner = d[0] + theta * (d[1] + rest * (d[2] + theta * d[3]));
+    w[i] = theta * (change + rest * (k0 - change + theta * (2 * change - k0 - ks + rest * inner)));
+  }
+}
+
+/* Inside the step to the order of the interpolation; the slopes that make room for it have no weight. */
+static void interpolations_have_their_order(void **state) {
+  (void)state;
+  static forest f;
+  for (int k = 0; k < NAMES; k++) {
+    const eom_method *m = eom_method_find(names[k]);
+    const int count = m->stages + 1 + m->dense_stages;
+    plant(&f, m);
+    for (int part = 1; part < 8; part++) {
+      tl_real w[MOST_SLOPES];
+      dense_weights(m, (tl_real)part / 8, w);
+      check_order(&f, m->dense_order, w, count, (tl_real)part / 8, "interpolation");
+    }
+    for (int slot = 1; slot <= m->dense_rows; slot++) {
+      for (int row = 0; row < m->dense_rows; row++) assert_same((double)m->dense[row * count + slot], 0);
+      for (int i = m->stages + 1; i < count; i++) assert_same((double)m->a[i * (i - 1) / 2 + slot], 0);
+    }
+  }
+}
+
 /* Row sums of a are c; the slope at a step's end is at its end. */
 static void rows_sum_to_c(void **state) {
   (void)state;
@@ -140,6 +173,6 @@ static void rows_sum_to_c(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(steps_have_their_order), cmocka_unit_test(estimates_have_their_order),
-                                     cmocka_unit_test(rows_sum_to_c)};
+                                     cmocka_unit_test(interpolations_have_their_order), cmocka_unit_test(rows_sum_to_c)};
   return cmocka_run_group_tests_name("method", tests, NULL, NULL);
 }

@@ -4,6 +4,7 @@
 
 #include "eom/assemble.h"
 #include "eom/equilibrium.h"
+#include "eom/events.h"
 #include "eom/integrate.h"
 #include "eom/linearise.h"
 #include "eom/lyapunov.h"

@@ -33,7 +33,9 @@ typedef struct eom_integrator {
   const eom_method *method;
   eom_rhs_fn *rhs;
   void *user;
-  eom_correct_fn *correct; /* with the same user, after each good step; null: none. To be set after eom_integrator_init */
+  eom_correct_fn *correct;     /* with the same user, after each good step; null: none. To be set after eom_integrator_init */
+  struct eom_events *events;   /* eom/events.h; null: none; likewise */
+  struct eom_outputs *outputs; /* likewise */
   int dim;
 
   tl_real h;               /* step, s; positive or negative; where steps are chosen the next one to be tried, 0 before the first */
@@ -56,7 +58,7 @@ typedef struct eom_integrator {
 
   /* private */
   int slope0, interpolates;
-  tl_real log_error;
+  tl_real t_after, log_error;
   size_t stride;
   tl_real *slope, *trial, *before;
 } eom_integrator;
@@ -80,11 +82,18 @@ void eom_integrator_restart(eom_integrator *it);
  * STEP_TOO_SMALL. */
 eom_status eom_integrator_step(eom_integrator *it);
 
+/* The state at time t of the last step, from t_before to it->t, wrong by O(h^(r+1)) for a method of dense_order r: y, dim numbers. The
+ * first time in a step it evaluates f dense_stages times. To be called before the next step begins. NOT_IN_STEP elsewhere; RHS_FAILED,
+ * NOT_FINITE. */
+eom_status eom_integrator_at(const eom_integrator *it, tl_real t, tl_real *y);
+
 /* Called after each step; any other number than 0 ends the integration with EOM_STOPPED. */
 typedef int eom_observe_fn(void *observer, const eom_integrator *it);
 
-/* Steps until t_end; the last step is shortened to end there. observe may be null. BAD_OPTION where a fixed h is zero, not finite or
- * leads away from t_end; TOO_MUCH_WORK after most_steps; errors of eom_integrator_step; EOM_STOPPED. */
+/* Steps until t_end; the last step is shortened to end there. observe may be null. Events and outputs that are attached are those of
+ * eom/events.h. BAD_OPTION where a fixed h is zero, not finite or
+ * leads away from t_end; TOO_MUCH_WORK after most_steps; errors of eom_integrator_step, and of eom_integrator_at
+ * where there are events or outputs; EOM_STOPPED. */
 eom_status eom_integrate(eom_integrator *it, tl_real t_end, eom_observe_fn *observe, void *observer);
 
 #ifdef __cplusplus

@@ -27,8 +27,9 @@ extern "C" {
   X(NOT_INVERSE, "the two coordinate transformations are not inverse to each other")                                                   \
   X(RHS_FAILED, "the right-hand side reported a failure of its own")                                                                   \
   X(STEP_TOO_SMALL, "no step is short enough for the tolerances")                                                                      \
+  X(NOT_IN_STEP, "the time is not in the last step")                                                                                   \
   X(TOO_MUCH_WORK, "the integration took as many steps as it was allowed")                                                             \
-  X(STOPPED, "the observer asked to stop")
+  X(STOPPED, "the observer or an event asked to stop")
 
 typedef enum eom_status {
 #define EOM_X(name, text) EOM_##name,

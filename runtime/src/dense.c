@@ -1,0 +1,63 @@
+/* States inside the last step, by the interpolation that belongs to its method. */
+#include "step.h"
+
+#include <string.h>
+
+/* Slopes behind the end of the step, then h sum_j d_j k_j for each row of the table, in the place of slopes 1, 2, ..: neither has a
+ * weight on these, so that slope 1 can hold the points before. */
+static eom_status prepare(eom_integrator *it) {
+  const eom_method *m = it->method;
+  const int first = m->stages + 1, count = first + m->dense_stages;
+  const tl_real h = it->t_after - it->t_before;
+  tl_real *point = eom_slope(it, 1);
+  for (int i = first; i < count; i++) {
+    if (!eom_combine(it, point, it->before, h, m->a + i * (i - 1) / 2, i)) return EOM_NOT_FINITE;
+    const eom_status status = eom_evaluate(it, it->t_before + m->c[i] * h, point, eom_slope(it, i));
+    if (status != EOM_OK) return status;
+  }
+  for (int row = 0; row < m->dense_rows; row++) {
+    tl_real *d = eom_slope(it, row + 1);
+    memset(d, 0, it->stride * sizeof(tl_real));
+    if (!eom_combine(it, d, d, h, m->dense + row * count, count)) return EOM_NOT_FINITE;
+  }
+  it->interpolates = INTERPOLATES_READY;
+  return EOM_OK;
+}
+
+/* With x = (t - t_before)/h and D = y1 - y, the polynomial
+ *
+ *     y + x (D + (1-x) (h k_0 - D + x (2 D - h k_0 - h k_s + (1-x) (d_0 + x (d_1 + (1-x) (d_2 + x d_3))))))
+ *
+ * has the states and slopes of both ends whatever the d: without them it is Hermite's cubic. */
+static void evaluate(const eom_integrator *it, tl_real x, tl_real *y) {
+  const tl_real h = it->t_after - it->t_before, rest = TL_C(1.0) - x;
+  const tl_real *k0 = it->slope, *ks = eom_slope(it, it->method->stages);
+  for (int i = 0; i < it->dim; i++) {
+    const tl_real change = it->trial[i] - it->before[i], start = h * k0[i] - change, end = change - h * ks[i];
+    tl_real sum = TL_C(0.0);
+    for (int row = it->method->dense_rows; row > 0; row--) sum = eom_slope(it, row)[i] + (row % 2 ? x : rest) * sum;
+    y[i] = it->before[i] + x * (change + rest * (start + x * (end - start + rest * sum)));
+  }
+}
+
+eom_status eom_interpolate(eom_integrator *it, tl_real t, tl_real *y) {
+  if (!it->interpolates) return EOM_NOT_IN_STEP;
+  const tl_real x = (t - it->t_before) / (it->t_after - it->t_before);
+  if (!(x >= TL_C(0.0) && x <= TL_C(1.0))) return EOM_NOT_IN_STEP;
+  if (it->interpolates != INTERPOLATES_READY) {
+    const eom_status status = prepare(it);
+    if (status != EOM_OK) return status;
+  }
+  evaluate(it, x, y);
+  return EOM_OK;
+}
+
+/* The state that is integrated does not change; what is computed for the interpolation is kept in *it and its memory. */
+eom_status eom_integrator_at(const eom_integrator *it, tl_real t, tl_real *y) {
+  if (t == it->t) {
+    memcpy(y, it->y, (size_t)it->dim * sizeof(tl_real));
+    return EOM_OK;
+  }
+  if (!((t - it->t_before) * (it->t - t) >= TL_C(0.0))) return EOM_NOT_IN_STEP;
+  return eom_interpolate((eom_integrator *)it, t, y);
+}
