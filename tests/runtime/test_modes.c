@@ -110,10 +110,10 @@ static void double_pendulum(void **state) {
 }
 
 /* L_n and its derivative by the recurrence (k+1) L_k+1 = (2k+1-x) L_k - k L_k-1, x L_n' = n (L_n - L_n-1). */
-static long double laguerre(int n, long double x, long double *slope) {
-  long double before = 1, now = 1 - x;
+static double laguerre(int n, double x, double *slope) {
+  double before = 1, now = 1 - x;
   for (int k = 1; k < n; k++) {
-    const long double next = ((2 * k + 1 - x) * now - k * before) / (k + 1);
+    const double next = ((2 * k + 1 - x) * now - k * before) / (k + 1);
     before = now, now = next;
   }
   *slope = n * (now - before) / x;
@@ -133,11 +133,11 @@ static void hanging_chain(void **state) {
     const double largest = a.modes[2 * N - 1].frequency * 6.283185307179586477;
     double worst = 0;
     for (int k = 0; k < N; k++) {
-      const double omega = a.modes[2 * k].im;
-      long double slope, x = (long double)omega * omega / g;
-      const long double step = laguerre(N, x, &slope) / slope;
-      assert_close((double)(g * step) / (2 * omega), 0, 0, EIGENVALUE_TOLERANCE * largest);
-      worst = fmax(worst, fabs((double)(g * step) / (2 * omega)) / largest);
+      const double omega = a.modes[2 * k].im, x = omega * omega / g;
+      double slope;
+      const double value = laguerre(N, x, &slope), off = g * value / slope / (2 * omega);
+      assert_close(off, 0, 0, EIGENVALUE_TOLERANCE * largest);
+      worst = fmax(worst, fabs(off) / largest);
       if (k > 0) assert_true(omega - a.modes[2 * k - 2].im > 1e-3);
     }
     tell("hanging chain", 2 * N, worst);
