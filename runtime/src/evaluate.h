@@ -26,6 +26,10 @@ eom_status eom_size_rows(eom_system *sys, const tl_real *q, const tl_real *qd, t
 /* eom_assemble_parts, then eom_solve: afterwards the factors serve further right-hand sides. */
 eom_status eom_solve_at(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t);
 
+/* Fills row_kind and the report's rows after a factorisation: the first rank rows in its order of exchange are independent. Returns
+ * report.status. */
+eom_status eom_mark_rows(eom_system *sys, int rank);
+
 /* Calls for ws->rhs1 = -d(r - A' lambda)/dy (2n vectors of n) and ws->rhs2 = -d(A qdd - b)/dy (2n vectors of m) at sys->qdd and
  * sys->lambda. */
 eom_status eom_linearised_terms(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t);

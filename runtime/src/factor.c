@@ -96,6 +96,9 @@ static tl_real factor_mass(eom_system *sys) {
   return f->kept_pivot;
 }
 
+/* Rows that are left out have no weight. */
+static void clear_weights(eom_system *sys) { memset(sys->workspace->factor.W, 0, (size_t)sys->m * sizeof(tl_real)); }
+
 /* W_r = strength / |a_r|^2 in coordinates where M has a unit diagonal: then A'WA is of M's size row by row. */
 static void automatic_weights(eom_system *sys, tl_real strength) {
   eom_factor *f = &sys->workspace->factor;
@@ -103,7 +106,8 @@ static void automatic_weights(eom_system *sys, tl_real strength) {
   tl_real most = TL_C(0.0);
   for (int i = 0; i < n; i++) most = TL_LIBM(fmax)(most, sys->M[i * n + i]);
   if (!(most > TL_C(0.0))) most = TL_C(1.0);
-  for (int r = 0; r < sys->m; r++) {
+  for (int k = 0; k < f->count; k++) {
+    const int r = f->row[k];
     const tl_real *a = sys->A + r * n;
     tl_real sum = TL_C(0.0);
     for (int i = 0; i < n; i++) {
@@ -124,12 +128,12 @@ static tl_real choose_calM(eom_system *sys) {
     const tl_real pivot = factor_mass(sys);
     return pivot > none ? pivot : TL_C(0.0);
   }
+  clear_weights(sys);
   if (sys->options.weights) {
-    memcpy(f->W, sys->options.weights, (size_t)sys->m * sizeof(tl_real));
+    for (int k = 0; k < f->count; k++) f->W[f->row[k]] = sys->options.weights[f->row[k]];
     const tl_real pivot = factor_calM(sys, true);
     if (pivot >= EOM_USABLE_PIVOT) return pivot;
   } else {
-    memset(f->W, 0, (size_t)sys->m * sizeof(tl_real));
     const tl_real pivot = factor_mass(sys);
     if (pivot >= EOM_SAFE_PIVOT) return pivot;
   }
@@ -186,28 +190,48 @@ static tl_real normalise(int n, tl_real *x) {
   return TL_C(1.0) / (most * length);
 }
 
+/* The vectors of B become those of L^-1 S A', of unit length; pivots: rows of A. */
 static void factor_rows(eom_system *sys) {
   eom_factor *f = &sys->workspace->factor;
   const eom_linalg *la = sys->workspace->linalg;
-  const int n = sys->n, m = sys->m, least = n < m ? n : m;
-  for (int r = 0; r < m; r++)
-    for (int i = 0; i < n; i++) f->B[r * n + i] = f->S[i] * sys->A[r * n + i];
-  la->solve_lower(n, f->L, m, f->B);
-  for (int r = 0; r < m; r++) f->D[r] = normalise(n, f->B + r * n);
-  la->qr(n, m, f->B, f->pivot, f->tau, f->work, f->nwork);
-  f->rank = 0;
-  while (f->rank < least && TL_LIBM(fabs)(f->B[f->rank * n + f->rank]) > sys->options.rank_tolerance) f->rank++;
-  if (f->rank == m) return;
-  for (int i = 0; i < f->rank; i++)
-    for (int j = 0; j < m; j++) f->U[i * m + j] = j < i ? TL_C(0.0) : f->B[j * n + i];
-  la->qr(m, f->rank, f->U, NULL, f->tau_u, f->work, f->nwork);
+  const int n = sys->n, count = f->count;
+  for (int k = 0; k < count; k++)
+    for (int i = 0; i < n; i++) f->B[k * n + i] = f->S[i] * sys->A[f->row[k] * n + i];
+  la->solve_lower(n, f->L, count, f->B);
+  for (int k = 0; k < count; k++) f->D[f->row[k]] = normalise(n, f->B + k * n);
+  la->qr(n, count, f->B, f->pivot, f->tau, f->work, f->nwork);
+  for (int j = 0; j < count; j++) f->pivot[j] = f->row[f->pivot[j]];
 }
 
-eom_status eom_factor_make(eom_system *sys) {
+int eom_factor_rank(const eom_system *sys, tl_real tolerance) {
+  const eom_factor *f = &sys->workspace->factor;
+  const int n = sys->n, least = n < f->count ? n : f->count;
+  int rank = 0;
+  while (rank < least && TL_LIBM(fabs)(f->B[rank * n + rank]) > tolerance) rank++;
+  return rank;
+}
+
+/* [R11 R12]' = U [T; 0] where rows are dependent. */
+static void factor_dependence(eom_system *sys) {
+  eom_factor *f = &sys->workspace->factor;
+  const int n = sys->n, count = f->count;
+  if (f->rank == count) return;
+  for (int i = 0; i < f->rank; i++)
+    for (int j = 0; j < count; j++) f->U[i * count + j] = j < i ? TL_C(0.0) : f->B[j * n + i];
+  sys->workspace->linalg->qr(count, f->rank, f->U, NULL, f->tau_u, f->work, f->nwork);
+}
+
+static void select_rows(eom_factor *f, const eom_selection *rows) {
+  f->count = rows->count;
+  for (int k = 0; k < rows->count; k++) f->row[k] = rows->row ? rows->row[k] : k;
+}
+
+eom_status eom_factor_make(eom_system *sys, const eom_selection *rows) {
   eom_factor *f = &sys->workspace->factor;
   eom_report *report = &sys->report;
   report->rank = 0;
   report->condition = TL_C(1.0);
+  select_rows(f, rows);
   report->pivot = choose_calM(sys);
   report->weighted = f->weighted;
   f->rank = 0;
@@ -216,8 +240,11 @@ eom_status eom_factor_make(eom_system *sys) {
     report->index = coordinate_without_inertia(sys);
     return EOM_NO_INERTIA;
   }
-  if (sys->m == 0) return EOM_OK;
+  if (f->count == 0) return EOM_OK;
   factor_rows(sys);
+  f->rank = eom_factor_rank(sys, rows->tolerance);
+  if (f->rank > rows->rank) f->rank = rows->rank;
+  factor_dependence(sys);
   report->rank = f->rank;
   if (f->rank > 0) report->condition = TL_LIBM(fabs)(f->B[0] / f->B[(f->rank - 1) * (sys->n + 1)]);
   return EOM_OK;
@@ -228,7 +255,7 @@ eom_status eom_factor_make(eom_system *sys) {
 /* Full rank: v = R11^-T P' D r2, P' D^-1 mu = R11^-1 (v - y1). y: (y1, y2) becomes (v, y2). */
 static void apply_full(const eom_system *sys, eom_factor *f, tl_real *dl, const tl_real *r2) {
   const eom_linalg *la = sys->workspace->linalg;
-  const int n = sys->n, m = sys->m;
+  const int n = sys->n, m = f->count;
   for (int j = 0; j < m; j++) f->v[j] = f->D[f->pivot[j]] * r2[f->pivot[j]];
   la->solve_upper_transposed(n, m, f->B, f->v);
   for (int j = 0; j < m; j++) {
@@ -245,7 +272,7 @@ static void apply_full(const eom_system *sys, eom_factor *f, tl_real *dl, const 
 /* Rank r < m: v = T^-1 (U' P' D r2)_1; P' D^-1 mu = U (T^-T (v - y1), 0); and P' D^-1 W r2 is cut to its part in the range of U1. */
 static void apply_deficient(const eom_system *sys, eom_factor *f, tl_real *dl, const tl_real *r2) {
   const eom_linalg *la = sys->workspace->linalg;
-  const int m = sys->m, r = f->rank;
+  const int m = f->count, r = f->rank;
   for (int j = 0; j < m; j++) {
     const int row = f->pivot[j];
     f->v[j] = f->D[row] * r2[row];
@@ -268,12 +295,13 @@ static void apply_deficient(const eom_system *sys, eom_factor *f, tl_real *dl, c
 void eom_factor_apply(eom_system *sys, tl_real *dq, tl_real *dl, const tl_real *r1, const tl_real *r2) {
   eom_factor *f = &sys->workspace->factor;
   const eom_linalg *la = sys->workspace->linalg;
-  const int n = sys->n, m = sys->m;
+  const int n = sys->n;
   for (int i = 0; i < n; i++) f->y[i] = f->S[i] * r1[i];
   la->solve_lower(n, f->L, 1, f->y);
-  if (m > 0) {
+  for (int r = 0; f->count < sys->m && r < sys->m; r++) dl[r] = TL_C(0.0);
+  if (f->count > 0) {
     la->apply_qt(n, f->rank, f->B, f->tau, f->y, f->work, f->nwork);
-    if (f->rank == m)
+    if (f->rank == f->count)
       apply_full(sys, f, dl, r2);
     else
       apply_deficient(sys, f, dl, r2);

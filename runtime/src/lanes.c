@@ -54,8 +54,9 @@ static void solve_upper(int n, int m, const tl_real *b, row *w) {
 /* v = R11^-T P' D r2, P' D^-1 mu = R11^-1 (v - y1); (y1, y2) becomes (v, y2). */
 static void apply_rows(const eom_system *sys, eom_lanes *s, row *y, row *dl, row *r2) {
   const eom_factor *f = &sys->workspace->factor;
-  const int n = sys->n, m = sys->m;
+  const int n = sys->n, m = f->count;
   row *v = s->v, *w = s->w;
+  for (int i = 0; m < sys->m && i < sys->m; i++) memset(dl[i], 0, sizeof(row));
   for (int j = 0; j < m; j++) scale(v[j], f->D[f->pivot[j]], r2[f->pivot[j]]);
   solve_upper_transposed(n, m, f->B, v);
   for (int j = 0; j < m; j++) {
@@ -72,13 +73,13 @@ static void apply_rows(const eom_system *sys, eom_lanes *s, row *y, row *dl, row
 /* One pass through the factors. */
 static void apply(const eom_system *sys, eom_lanes *s, row *dq, row *dl, row *r1, row *r2) {
   const eom_factor *f = &sys->workspace->factor;
-  const int n = sys->n, m = sys->m;
+  const int n = sys->n;
   row *y = dq;
   for (int i = 0; i < n; i++) scale(y[i], f->S[i], r1[i]);
   solve_lower(n, f->L, y);
-  for (int j = 0; j < m; j++) reflect(n, f->B, f->tau[j], j, y);
+  for (int j = 0; j < f->count; j++) reflect(n, f->B, f->tau[j], j, y);
   apply_rows(sys, s, y, dl, r2);
-  for (int j = m - 1; j >= 0; j--) reflect(n, f->B, f->tau[j], j, y);
+  for (int j = f->count - 1; j >= 0; j--) reflect(n, f->B, f->tau[j], j, y);
   solve_lower_transposed(n, f->L, y);
   for (int i = 0; i < n; i++) scale(y[i], f->S[i], y[i]);
 }

@@ -15,6 +15,10 @@ typedef struct level {
   const unsigned char *keep;
   int count;
   void (*misses)(const eom_system *sys, tl_real *miss);
+  int *steps;   /* of Newton's method so far */
+  int *rank;    /* held from the last projection; -1: not known */
+  tl_real size; /* of x, in coordinates scaled to unit inertia */
+  tl_real left; /* the last step, too short to be made, in parts of size */
 } level;
 
 static void misses_of_coordinates(const eom_system *sys, tl_real *miss) {
@@ -44,13 +48,14 @@ static tl_real extent(const eom_system *sys, const tl_real *x) {
   return most;
 }
 
-/* Rows that are dependent on the manifold look independent beside it, by about the way that is left: they are taken as dependent, or
- * the step along their difference would be as long as they are alike. */
-static void factor_near(eom_system *sys, tl_real way) {
+/* Rows that are dependent on the manifold look independent beside it, by about the way that is left: where their rank is not known they
+ * are taken as dependent, or the step along their difference would be as long as they are alike. */
+static void factor_near(eom_system *sys, const level *l, tl_real way) {
   const tl_real given = sys->options.rank_tolerance, most = TL_C(1e-3);
-  sys->options.rank_tolerance = TL_LIBM(fmax)(given, TL_LIBM(fmin)(way, most));
-  (void)eom_factor_make(sys);
-  sys->options.rank_tolerance = given;
+  const bool known = *l->rank >= 0;
+  const tl_real near = TL_LIBM(fmax)(given, TL_LIBM(fmin)(way, most));
+  const eom_selection rows = {NULL, l->count, known ? *l->rank : l->count, known ? given : near};
+  (void)eom_factor_make(sys, &rows);
 }
 
 /* delta and multipliers of one step, in sys->qdd and sys->lambda. */
@@ -61,7 +66,7 @@ static eom_status find_step(eom_system *sys, const level *l, tl_real way) {
   hold(sys, l->keep);
   l->misses(sys, ws->miss);
   for (int r = 0; r < sys->m; r++) ws->miss[r] = -ws->miss[r];
-  factor_near(sys, way);
+  factor_near(sys, l, way);
   if (sys->report.status == EOM_OK) {
     memset(sys->Qc, 0, (size_t)sys->n * sizeof(tl_real));
     eom_kkt_solve(sys, sys->qdd, sys->lambda, sys->Qc, ws->miss);
@@ -72,11 +77,15 @@ static eom_status find_step(eom_system *sys, const level *l, tl_real way) {
   return sys->report.status;
 }
 
-/* Names the rows that still miss by more than rounding, each miss as a length in the mass metric. */
-static eom_status judge(eom_system *sys, const level *l, tl_real size) {
+/* Names the rows that still miss by more than rounding, each miss as a length in the mass metric. Rows that are dropped are parallel to
+ * others up to take; the state may be off by as much across them, and they then miss by the product. */
+static eom_status judge(eom_system *sys, const level *l) {
   const eom_workspace *ws = sys->workspace;
+  const tl_real take = sys->options.hold.take, given = sys->options.consistency_tolerance;
+  const bool dropped = *l->rank >= 0 && *l->rank < l->count;
+  const tl_real tolerance = dropped ? TL_LIBM(fmax)(given, take * take) : given;
   for (int r = 0; r < l->count; r++) {
-    if (TL_LIBM(fabs)(ws->miss[r]) * ws->factor.D[r] <= sys->options.consistency_tolerance * size) continue;
+    if (TL_LIBM(fabs)(ws->miss[r]) * ws->factor.D[r] <= tolerance * l->size) continue;
     sys->report.status = EOM_INCONSISTENT;
     if (sys->report.nrow < EOM_REPORT_ROWS) {
       sys->report.row[sys->report.nrow] = eom_system_row(sys, r);
@@ -88,19 +97,48 @@ static eom_status judge(eom_system *sys, const level *l, tl_real size) {
 }
 
 /* Steps until they are rounding, or no longer fall though they are nearly that: the last digit of the rows then. */
-static eom_status descend(eom_system *sys, const level *l, const tl_real *q, const tl_real *qd, tl_real t, int *steps) {
+static eom_status descend(eom_system *sys, level *l, const tl_real *q, const tl_real *qd, tl_real t) {
   const tl_real rounding = TL_C(4.0) * TL_EPSILON, nearly = TL_LIBM(sqrt)(TL_EPSILON);
   tl_real last = TL_MAX, way = TL_C(0.0);
-  for (*steps = 0; *steps < MOST_STEPS;) {
+  for (int step = 0; step < MOST_STEPS; step++) {
     if (eom_assemble_parts(sys, q, qd, t) != EOM_OK || find_step(sys, l, way) != EOM_OK) return sys->report.status;
     const tl_real change = extent(sys, sys->qdd), size = TL_LIBM(fmax)(extent(sys, l->x), change);
-    if (!(change > rounding * size) || (!(change < last / TL_C(2.0)) && change <= nearly * size)) return judge(sys, l, size);
+    l->size = size;
+    l->left = size > TL_C(0.0) ? change / size : TL_C(0.0);
+    if (!(change > rounding * size) || (!(change < last / TL_C(2.0)) && change <= nearly * size)) return EOM_OK;
     for (int i = 0; i < sys->n; i++) l->x[i] += sys->qdd[i];
-    ++*steps;
+    ++*l->steps;
     last = change;
-    way = change / size;
+    way = l->left;
   }
   return sys->report.status = EOM_NO_CONSISTENT_STATE;
+}
+
+/* The rank of the rows last factored: as it was between the two tolerances. What is left of the way blurs it. */
+static int decide(const eom_system *sys, const level *l) {
+  const tl_real drop = TL_LIBM(fmax)(sys->options.hold.drop, l->left), take = TL_LIBM(fmax)(sys->options.hold.take, drop);
+  const int least = eom_factor_rank(sys, take), most = eom_factor_rank(sys, drop), was = *l->rank;
+  return was < 0 || was > most ? most : was < least ? least : was;
+}
+
+/* Brings x onto the rows and decides on their rank. Rows that are taken back may miss: once more with them. */
+static eom_status settle(eom_system *sys, level *l, bool hold, const tl_real *q, const tl_real *qd, tl_real t) {
+  if (descend(sys, l, q, qd, t) != EOM_OK) return sys->report.status;
+  const int was = *l->rank, rank = hold ? decide(sys, l) : was;
+  *l->rank = rank;
+  if (was >= 0 && rank > was && descend(sys, l, q, qd, t) != EOM_OK) return sys->report.status;
+  return judge(sys, l);
+}
+
+/* Holds the rows that came first in the last factorisation, that of all rows at the state projected. */
+static void hold_rows(eom_system *sys, int was) {
+  eom_held *held = &sys->workspace->held;
+  const eom_factor *f = &sys->workspace->factor;
+  for (int j = 0; j < held->rank; j++) held->row[j] = f->pivot[j];
+  if (was >= 0 && was != held->rank) sys->rank_changes++;
+  sys->held_rank = held->rank;
+  (void)eom_mark_rows(sys, held->rank);
+  sys->report.rank = held->rank;
 }
 
 /* The largest change of x, and whose. */
@@ -113,23 +151,57 @@ static void measure(int n, const tl_real *x, const tl_real *was, tl_real *change
   }
 }
 
+/* After a step velocities may change by options.most_jump of the largest one so far; what rounding of coordinates makes of a system at
+ * rest is no jump. */
+static eom_status judge_jump(eom_system *sys, const tl_real *q, const tl_real *qd) {
+  eom_held *held = &sys->workspace->held;
+  const tl_real *was_qd = sys->workspace->was + sys->n;
+  const int n = sys->n;
+  for (int i = 0; i < n; i++) sys->qdd[i] = qd[i] - was_qd[i];
+  const tl_real rest = TL_LIBM(sqrt)(TL_EPSILON) * extent(sys, q);
+  held->speed = TL_LIBM(fmax)(held->speed, extent(sys, qd));
+  if (extent(sys, sys->qdd) <= TL_LIBM(fmax)(sys->options.most_jump * held->speed, rest)) return EOM_OK;
+  tl_real most;
+  measure(n, qd, was_qd, &most, &sys->report.index);
+  return sys->report.status = EOM_VELOCITY_JUMP;
+}
+
+static eom_status project(eom_system *sys, tl_real *q, tl_real *qd, tl_real t, eom_projection *p) {
+  eom_held *held = &sys->workspace->held;
+  level coordinates = {q, p->keep_q, sys->m1, misses_of_coordinates, &p->steps_q, &held->rank_q, TL_C(0.0), TL_C(0.0)};
+  level velocities = {qd, p->keep_qd, sys->m, misses_of_velocities, &p->steps_qd, &held->rank, TL_C(0.0), TL_C(0.0)};
+  const bool hold = sys->options.hold.on && !p->keep_q && !p->keep_qd;
+  const int was = held->rank;
+  if (sys->m1 > 0 && settle(sys, &coordinates, hold, q, qd, t) != EOM_OK) return sys->report.status;
+  if (sys->m > 0 && settle(sys, &velocities, hold, q, qd, t) != EOM_OK) return sys->report.status;
+  if (p->after_step && sys->m > 0 && judge_jump(sys, q, qd) != EOM_OK) return sys->report.status;
+  if (hold) hold_rows(sys, was);
+  return EOM_OK;
+}
+
+/* Afresh: whatever was held is forgotten. */
+static void release(eom_system *sys) {
+  eom_held *held = &sys->workspace->held;
+  held->rank_q = held->rank = sys->held_rank = -1;
+  held->speed = TL_C(0.0);
+}
+
 eom_status eom_project(eom_system *sys, tl_real *q, tl_real *qd, tl_real t, eom_projection *projection) {
   assert(sys && q && qd);
   eom_projection ignored = {0}, *p = projection ? projection : &ignored;
   const int n = sys->n;
   const size_t bytes = (size_t)n * sizeof(tl_real);
   tl_real *was_q = sys->workspace->was, *was_qd = was_q + n;
+  if (!p->after_step) release(sys);
+  const eom_held held = sys->workspace->held;
   if (eom_start(sys, q, qd, t) != EOM_OK) return sys->report.status;
   memcpy(was_q, q, bytes);
   memcpy(was_qd, qd, bytes);
-  const level coordinates = {q, p->keep_q, sys->m1, misses_of_coordinates};
-  const level velocities = {qd, p->keep_qd, sys->m, misses_of_velocities};
   p->steps_q = p->steps_qd = 0;
-  if (sys->m1 > 0) (void)descend(sys, &coordinates, q, qd, t, &p->steps_q);
-  if (sys->report.status == EOM_OK && sys->m > 0) (void)descend(sys, &velocities, q, qd, t, &p->steps_qd);
-  if (sys->report.status != EOM_OK) {
+  if (project(sys, q, qd, t, p) != EOM_OK) {
     memcpy(q, was_q, bytes);
     memcpy(qd, was_qd, bytes);
+    sys->workspace->held = held;
   }
   measure(n, q, was_q, &p->change_q, &p->most_q);
   measure(n, qd, was_qd, &p->change_qd, &p->most_qd);
@@ -138,5 +210,6 @@ eom_status eom_project(eom_system *sys, tl_real *q, tl_real *qd, tl_real t, eom_
 
 int eom_project_state(void *user, tl_real t, tl_real *y) {
   eom_system *sys = user;
-  return (int)eom_project(sys, y, y + sys->n, t, NULL);
+  eom_projection p = {.after_step = 1};
+  return (int)eom_project(sys, y, y + sys->n, t, &p);
 }

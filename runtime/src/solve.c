@@ -10,43 +10,71 @@
 #include <assert.h>
 #include <string.h>
 
-/* Dependent rows are those beyond the rank in the order of exchange; inconsistent ones keep a residual. Rows are compared scaled to
- * unit length in the mass metric, where a residual is an acceleration; the scale is the largest acceleration or term of b. */
-static eom_status judge_rows(eom_system *sys) {
-  const eom_workspace *ws = sys->workspace;
-  const eom_factor *f = &ws->factor;
+/* Puts the rows that are not independent in the report. */
+static eom_status name_rows(eom_system *sys) {
   eom_report *report = &sys->report;
-  const int n = sys->n, m = sys->m;
-  for (int j = 0; j < m; j++) sys->row_kind[f->pivot[j]] = j < f->rank ? EOM_ROW_INDEPENDENT : EOM_ROW_DEPENDENT;
-
-  tl_real scale = TL_C(0.0);
-  for (int i = 0; i < n; i++) scale = TL_LIBM(fmax)(scale, TL_LIBM(fabs)(sys->qdd[i] / f->S[i]));
-  for (int r = 0; r < m; r++) scale = TL_LIBM(fmax)(scale, f->D[r] * TL_LIBM(fmax)(ws->b_size[r], TL_LIBM(fabs)(sys->b[r])));
-
-  bool consistent = true;
-  for (int r = 0; r < m; r++) {
-    tl_real miss = -sys->b[r];
-    for (int i = 0; i < n; i++) miss += sys->A[r * n + i] * sys->qdd[i];
-    miss = TL_LIBM(fabs)(miss) * f->D[r];
-    if (!(miss <= report->residual)) report->residual = miss;
-    if (f->rank == m || miss <= sys->options.consistency_tolerance * scale) continue;
-    sys->row_kind[r] = EOM_ROW_INCONSISTENT;
-    consistent = false;
-  }
-  for (int r = 0; r < m; r++) {
+  report->nrow = 0;
+  for (int r = 0; r < sys->m; r++) {
     if (sys->row_kind[r] == EOM_ROW_INDEPENDENT) continue;
     if (report->nrow < EOM_REPORT_ROWS) report->row[report->nrow] = eom_system_row(sys, r);
     report->nrow++;
   }
-  if (!consistent) report->status = EOM_INCONSISTENT;
   return report->status;
+}
+
+eom_status eom_mark_rows(eom_system *sys, int rank) {
+  const eom_factor *f = &sys->workspace->factor;
+  for (int r = 0; r < sys->m; r++) sys->row_kind[r] = EOM_ROW_DEPENDENT;
+  for (int j = 0; j < rank; j++) sys->row_kind[f->pivot[j]] = EOM_ROW_INDEPENDENT;
+  return name_rows(sys);
+}
+
+/* Inconsistent rows keep a residual. Rows in use are compared scaled to unit length in the mass metric, where a residual is an
+ * acceleration; the scale is the largest acceleration or term of b. */
+static eom_status judge_rows(eom_system *sys) {
+  const eom_workspace *ws = sys->workspace;
+  const eom_factor *f = &ws->factor;
+  eom_report *report = &sys->report;
+  const int n = sys->n;
+  tl_real scale = TL_C(0.0);
+  for (int i = 0; i < n; i++) scale = TL_LIBM(fmax)(scale, TL_LIBM(fabs)(sys->qdd[i] / f->S[i]));
+  for (int k = 0; k < f->count; k++) {
+    const int r = f->row[k];
+    scale = TL_LIBM(fmax)(scale, f->D[r] * TL_LIBM(fmax)(ws->b_size[r], TL_LIBM(fabs)(sys->b[r])));
+  }
+
+  bool consistent = true;
+  (void)eom_mark_rows(sys, f->rank);
+  for (int k = 0; k < f->count; k++) {
+    const int r = f->row[k];
+    tl_real miss = -sys->b[r];
+    for (int i = 0; i < n; i++) miss += sys->A[r * n + i] * sys->qdd[i];
+    miss = TL_LIBM(fabs)(miss) * f->D[r];
+    if (!(miss <= report->residual)) report->residual = miss;
+    if (f->rank == f->count || miss <= sys->options.consistency_tolerance * scale) continue;
+    sys->row_kind[r] = EOM_ROW_INCONSISTENT;
+    consistent = false;
+  }
+  if (!consistent) report->status = EOM_INCONSISTENT;
+  return name_rows(sys);
+}
+
+/* The rows that the last projection found independent, where the rank is held; else all. */
+static eom_status factor(eom_system *sys) {
+  const eom_held *held = &sys->workspace->held;
+  const bool keep = held->rank >= 0;
+  const int count = keep ? held->rank : sys->m;
+  const eom_selection rows = {keep ? held->row : NULL, count, count, sys->options.rank_tolerance};
+  if (eom_factor_make(sys, &rows) != EOM_OK || !keep || sys->report.rank == count) return sys->report.status;
+  sys->report.status = EOM_RANK_FELL;
+  return eom_mark_rows(sys, sys->report.rank);
 }
 
 eom_status eom_solve(eom_system *sys) {
   assert(sys && sys->workspace);
   const int n = sys->n, m = sys->m;
   sys->report = (eom_report){.status = EOM_OK, .index = -1, .rank = -1, .condition = TL_C(1.0)};
-  if (eom_factor_make(sys) != EOM_OK) return sys->report.status;
+  if (factor(sys) != EOM_OK) return sys->report.status;
   eom_kkt_solve(sys, sys->qdd, sys->lambda, sys->Q, sys->b);
   memset(sys->Qc, 0, (size_t)n * sizeof(tl_real));
   for (int r = 0; r < m; r++)
@@ -73,6 +101,12 @@ eom_status eom_solved_by_motion(eom_system *sys, int code, const tl_real *q, con
   return EOM_OK;
 }
 
+/* Without Baumgarte's terms, and no row dropped. */
+static bool all_rows_as_they_are(const eom_system *sys) {
+  const int rank = sys->workspace->held.rank;
+  return !eom_is_stabilised(sys) && (rank < 0 || rank == sys->m);
+}
+
 /* A solved form of constrained equations, whose rows are independent. */
 static eom_status constrained_by_motion(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
   const int code = sys->motion->constrained(sys->params, q, qd, t, sys->qdd, sys->lambda, sys->Qc, sys->workspace->motion_work);
@@ -87,7 +121,7 @@ static eom_status constrained_by_motion(eom_system *sys, const tl_real *q, const
 eom_status eom_acceleration(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
   if (eom_start(sys, q, qd, t) != EOM_OK) return sys->report.status;
   if (!eom_by_motion(sys, EOM_TASK_ASSEMBLE)) return eom_solve_at(sys, q, qd, t);
-  if (sys->motion->constrained && !eom_is_stabilised(sys)) return constrained_by_motion(sys, q, qd, t);
+  if (sys->motion->constrained && all_rows_as_they_are(sys)) return constrained_by_motion(sys, q, qd, t);
   if (!sys->motion->acceleration) return eom_solve_at(sys, q, qd, t);
   const int code = sys->motion->acceleration(sys->params, q, qd, t, sys->qdd, sys->workspace->motion_work);
   return code == EOM_MOTION_PIVOT ? eom_solve_at(sys, q, qd, t) : eom_solved_by_motion(sys, code, q, qd, t);
@@ -107,7 +141,7 @@ static void solve_each(eom_system *sys, int k, tl_real *r, tl_real *g) {
 }
 
 void eom_solve_columns(eom_system *sys, int k, tl_real *r, tl_real *g) {
-  if (sys->workspace->factor.rank == sys->m)
+  if (sys->workspace->factor.rank == sys->workspace->factor.count)
     eom_lanes_solve(sys, k, r, g);
   else
     solve_each(sys, k, r, g);

@@ -9,13 +9,16 @@
 #include <string.h>
 
 eom_options eom_options_default(void) {
+  const tl_real drop = TL_LIBM(cbrt)(TL_EPSILON * TL_C(4503.6)); /* 1e-4 in double */
   return (eom_options){.needs = EOM_NEED_LINEARISE,
                        .weights = NULL,
                        .rank_tolerance = TL_EPSILON * TL_C(450360.0), /* 1e-10 in double */
                        .consistency_tolerance = TL_LIBM(sqrt)(TL_EPSILON),
                        .linalg = EOM_LINALG_AUTO,
                        .emitter = EOM_EMITTER_AUTO,
-                       .baumgarte = {TL_C(0.0), TL_C(0.0)}};
+                       .baumgarte = {TL_C(0.0), TL_C(0.0)},
+                       .hold = {.on = 0, .drop = drop, .take = TL_C(3.0) * drop},
+                       .most_jump = TL_C(0.1)};
 }
 
 /* ---- memory ---- */
@@ -68,6 +71,7 @@ static void take_factor(eom_factor *f, size_t n, size_t m, bool constant_mass, e
   f->D = eom_arena_reals(a, m);
   f->tau = eom_arena_reals(a, least);
   f->pivot = eom_arena_take(a, m, sizeof(int));
+  f->row = eom_arena_take(a, m, sizeof(int));
   f->U = eom_arena_reals(a, least * m);
   f->tau_u = eom_arena_reals(a, least);
   f->v = eom_arena_reals(a, m);
@@ -92,6 +96,7 @@ static void take_lanes(eom_lanes *l, size_t n, size_t m, eom_arena *a) {
 static void take_private(eom_system *sys, eom_workspace *ws, eom_arena *a) {
   const size_t n = (size_t)sys->n, m = (size_t)sys->m;
   take_factor(&ws->factor, n, m, sys->motion && sys->motion->constant_mass, a);
+  ws->held.row = eom_arena_take(a, m, sizeof(int));
   ws->b_size = eom_arena_reals(a, m);
   ws->r1 = eom_arena_reals(a, n);
   ws->r2 = eom_arena_reals(a, m);
@@ -157,6 +162,8 @@ static bool plan_options(eom_system *sys, const eom_options *given) {
   if (!(o->consistency_tolerance >= TL_C(0.0) && o->consistency_tolerance < TL_C(1.0))) return false;
   if (!is_gain(o->baumgarte.alpha) || !is_gain(o->baumgarte.beta)) return false;
   if (eom_is_stabilised(sys) && o->needs & EOM_NEED_PARAMETERS) return false;
+  if (o->hold.on && !(o->rank_tolerance <= o->hold.drop && o->hold.drop <= o->hold.take && o->hold.take < TL_C(1.0))) return false;
+  if (!(o->most_jump > TL_C(0.0))) return false;
   if (o->weights)
     for (int i = 0; i < sys->m; i++)
       if (!(o->weights[i] > TL_C(0.0) && o->weights[i] <= TL_MAX)) return false;
@@ -327,6 +334,7 @@ eom_status eom_system_init(eom_system *sys, const eom_model *model, const void *
   if (!lay_out(sys, &ws, &arena)) return EOM_NO_MEMORY;
   sys->workspace = ws;
   sys->report = (eom_report){.status = EOM_OK, .index = -1, .rank = -1};
+  ws->held.rank_q = ws->held.rank = sys->held_rank = -1;
   return EOM_OK;
 }
 

@@ -34,27 +34,37 @@ typedef struct eom_stage {
 } eom_stage;
 
 /* calM = M + A'WA = S^-1 L L' S^-1, B = L^-1 S A' with columns of unit length: B D P = Q [R11 R12; 0 R22], and where the rank r is
- * below m also [R11 R12]' = U [T; 0]. */
+ * below the number of rows also [R11 R12]' = U [T; 0]. */
 typedef struct eom_factor {
   bool weighted;
   bool kept;          /* L and S are those of kept_M, */
   tl_real kept_pivot; /* with this smallest pivot */
   tl_real *kept_M;    /* n x n; null where M is not known to be constant */
+  int count;          /* rows of A in use, */
+  int *row;           /* m: and which */
   int rank;
   tl_real *L;     /* n x n */
   tl_real *S;     /* n: powers of two that bring the diagonal of calM near 1 */
   tl_real *W;     /* m: weights in use */
-  tl_real *B;     /* m vectors of n: the QR factorisation */
+  tl_real *B;     /* count vectors of n: the QR factorisation */
   tl_real *D;     /* m: one over the length of each column of L^-1 S A' */
   tl_real *tau;   /* min(n,m) */
-  int *pivot;     /* m: column j of B P is row pivot[j] of A */
-  tl_real *U;     /* m vectors of m: rank vectors are used */
+  int *pivot;     /* count: column j of B P is row pivot[j] of A */
+  tl_real *U;     /* rank vectors of count */
   tl_real *tau_u; /* m */
   tl_real *y, *v; /* n, m: inside a solve */
   tl_real *w;     /* m */
   tl_real *work;  /* linear algebra */
   int nwork;
 } eom_factor;
+
+/* The decision that eom_project made about the rows' rank, for the solves that follow. */
+typedef struct eom_held {
+  int rank_q;    /* of the holonomic rows, */
+  int rank;      /* and of all; -1: nothing is held */
+  int *row;      /* m: rank rows that are independent */
+  tl_real speed; /* the largest velocity of a projected state so far, coordinates scaled to unit inertia */
+} eom_held;
 
 #define EOM_LANES 8 /* right-hand sides that are solved for together: one vector register of the widest kind */
 
@@ -77,6 +87,7 @@ struct eom_workspace {
 
   const eom_linalg *linalg;
   eom_factor factor;
+  eom_held held;
   tl_real *b_size;      /* m: size of the terms that cancel in b */
   tl_real *r1, *r2;     /* n, m: residuals of the equations */
   tl_real *dq, *dl;     /* n, m: corrections */

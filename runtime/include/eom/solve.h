@@ -10,7 +10,7 @@ extern "C" {
 
 /* Solves M qdd = Q + A' lambda, A qdd = b for the numbers in *sys; fills qdd, lambda, Qc, row_kind and the report.
  * NO_INERTIA where [M; A] is singular (report.index: a coordinate that can move without inertia), INCONSISTENT (report.row: the rows),
- * NOT_FINITE. */
+ * RANK_FELL where rows held by options.hold are dependent at this state (report.row), NOT_FINITE. */
 eom_status eom_solve(eom_system *sys);
 
 /* More right-hand sides for the factorisation of the last eom_solve: M X = R + A' Y, A X = G, for k >= 1 columns at once, with the

@@ -20,6 +20,8 @@ extern "C" {
   X(NOT_FINITE, "a number is not finite")                                                                                              \
   X(NO_INERTIA, "the mass matrix is not positive definite on the motions that the constraints allow")                                  \
   X(INCONSISTENT, "constraints contradict each other")                                                                                 \
+  X(RANK_FELL, "constraints that are held as independent have become dependent before the next projection")                            \
+  X(VELOCITY_JUMP, "the projection after a step would change a velocity by more than the option most_jump allows")                     \
   X(NO_CONSISTENT_STATE, "no state that satisfies the constraints was found near this one")                                            \
   X(OFF_CONSTRAINTS, "the state does not satisfy the constraints")                                                                     \
   X(NO_EQUILIBRIUM, "no state without acceleration was found near this one")                                                           \

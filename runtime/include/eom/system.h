@@ -53,6 +53,18 @@ typedef struct eom_baumgarte {
   tl_real alpha, beta; /* 1/s, at least 0 */
 } eom_baumgarte;
 
+/* Rank as a property of the mechanism: each eom_project decides which constraint rows are independent, at the state that it leaves on
+ * the constraints, and all solves until the next one keep to it; rows that it drops get no multiplier. Beside the constraints, at the
+ * stages of a Runge-Kutta step, rows that depend on each other look independent by as much as the state is off; to believe that gives
+ * accelerations without meaning. Near a singular position a step's error e becomes e/s^2 across rows that are held at a distance s from
+ * it, while rows that are dropped miss the force across them for a time like s: at the default tolerances the two are alike for e =
+ * 1e-12. */
+typedef struct eom_hold {
+  int on;             /* 1: as above; default 0: each solve decides for itself by rank_tolerance */
+  tl_real drop, take; /* a row is dropped where what it adds to the others falls to drop, and taken back where it exceeds take, both as
+                         for rank_tolerance <= drop <= take < 1; default 1e-4, 3e-4 */
+} eom_hold;
+
 typedef struct eom_options {
   unsigned needs;         /* EOM_NEED_ bits; default EOM_NEED_LINEARISE */
   const tl_real *weights; /* W of eq 31: m positive numbers, copied by init; null (default): used only where M needs it, scaled to M.
@@ -66,6 +78,10 @@ typedef struct eom_options {
   eom_emitter emitter;           /* default EOM_EMITTER_AUTO */
   eom_baumgarte baumgarte;       /* default none: 0, 0. BAD_OPTION with EOM_NEED_PARAMETERS where there are constraints: derivatives
                                     with respect to parameters do not know them */
+  eom_hold hold;                 /* default off */
+  tl_real most_jump; /* a projection after a step is refused (VELOCITY_JUMP) where it changes a velocity by more than this part of the
+                        largest so far, in the mass metric; default 0.1: far above what a step leaves over, and what passing a
+                        singular position with options.hold takes. Infinite: never */
 } eom_options;
 
 /* All defaults. */
@@ -99,6 +115,10 @@ typedef struct eom_system {
   tl_real *lambda; /* m: the physical multipliers; of least norm among equals where rows are dependent (rows scaled to unit length) */
   tl_real *Qc;     /* n: constraint force A' lambda */
   eom_row_kind *row_kind; /* m */
+
+  /* project, with options.hold */
+  int held_rank;     /* rows held as independent; -1: nothing is held */
+  long rank_changes; /* how often a projection after a step has changed that number: events for who integrates */
 
   /* linearise (null without EOM_NEED_LINEARISE) */
   tl_real *qdd_y;    /* n x 2n: d qdd/d(q,qd), the lower rows of F; the upper ones are [0 I] */
