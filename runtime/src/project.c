@@ -3,6 +3,7 @@
 
 #include "evaluate.h"
 #include "factor.h"
+#include "stage.h"
 
 #include <assert.h>
 #include <string.h>
@@ -72,6 +73,7 @@ static eom_status find_step(eom_system *sys, const level *l, tl_real way) {
     eom_kkt_solve(sys, sys->qdd, sys->lambda, sys->Qc, ws->miss);
     for (int i = 0; i < sys->n; i++)
       if (l->keep && l->keep[i]) sys->qdd[i] = TL_C(0.0);
+    (void)eom_check_finite(sys, "step of the projection", sys->qdd, sys->n);
   }
   sys->m = m;
   return sys->report.status;

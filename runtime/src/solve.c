@@ -70,8 +70,8 @@ static eom_status factor(eom_system *sys) {
   return eom_mark_rows(sys, sys->report.rank);
 }
 
-eom_status eom_solve(eom_system *sys) {
-  assert(sys && sys->workspace);
+/* Of finite numbers. */
+static eom_status solve(eom_system *sys) {
   const int n = sys->n, m = sys->m;
   sys->report = (eom_report){.status = EOM_OK, .index = -1, .rank = -1, .condition = TL_C(1.0)};
   if (factor(sys) != EOM_OK) return sys->report.status;
@@ -85,12 +85,23 @@ eom_status eom_solve(eom_system *sys) {
   return m > 0 ? judge_rows(sys) : EOM_OK;
 }
 
+eom_status eom_solve(eom_system *sys) {
+  assert(sys && sys->workspace);
+  const int n = sys->n, m = sys->m;
+  sys->report = (eom_report){.status = EOM_OK, .index = -1, .rank = -1};
+  if (eom_check_finite(sys, "mass matrix", sys->M, n * n) != EOM_OK) return sys->report.status;
+  if (eom_check_finite(sys, "generalized force", sys->Q, n) != EOM_OK) return sys->report.status;
+  if (eom_check_finite(sys, "constraint matrix", sys->A, m * n) != EOM_OK) return sys->report.status;
+  if (eom_check_finite(sys, "constraint vector b", sys->b, m) != EOM_OK) return sys->report.status;
+  return solve(sys);
+}
+
 /* By motion functions the size of cancelling terms in b is at first taken as zero: the strictest judgement, which consistent rows pass
  * in nearly all cases. */
 eom_status eom_solve_at(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
   if (eom_assemble_parts(sys, q, qd, t) != EOM_OK) return sys->report.status;
-  if (eom_solve(sys) != EOM_INCONSISTENT || !eom_by_motion(sys, EOM_TASK_ASSEMBLE)) return sys->report.status;
-  return eom_size_rows(sys, q, qd, t) == EOM_OK ? eom_solve(sys) : sys->report.status;
+  if (solve(sys) != EOM_INCONSISTENT || !eom_by_motion(sys, EOM_TASK_ASSEMBLE)) return sys->report.status;
+  return eom_size_rows(sys, q, qd, t) == EOM_OK ? solve(sys) : sys->report.status;
 }
 
 eom_status eom_solved_by_motion(eom_system *sys, int code, const tl_real *q, const tl_real *qd, tl_real t) {

@@ -134,32 +134,86 @@ static void agreeing_rows_are_no_difficulty_and_contradictions_are_named(void **
   eom_system_destroy(sys);
 }
 
+/* Each with the name of what is wrong, and the state as it was. */
+static void bad_input_is_named(void **state) {
+  (void)state;
+  static const struct {
+    double q[2], qd[2], t;
+    eom_status status;
+    const char *function;
+    int index;
+  } cases[] = {
+      {{(double)NAN, 1}, {0, 0}, 0, EOM_NOT_FINITE, "argument q", 0},
+      {{0.6, (double)INFINITY}, {0, 0}, 0, EOM_NOT_FINITE, "argument q", 1},
+      {{0.6, 0.8}, {0, (double)NAN}, 0, EOM_NOT_FINITE, "argument qd", 1},
+      {{0.6, 0.8}, {0, 0}, (double)NAN, EOM_NOT_FINITE, "argument t", 0},
+      {{1e200, 0.8}, {0, 0}, 0, EOM_NOT_FINITE, "circle", -1}, /* its square overflows */
+      {{0, 0}, {1, 0}, 0, EOM_INCONSISTENT, NULL, -1},         /* no direction leads to the circle from its centre */
+  };
+  eom_system *sys = start(&cartesian_pendulum, NULL);
+  for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
+    double q[2], qd[2];
+    memcpy(q, cases[k].q, sizeof q), memcpy(qd, cases[k].qd, sizeof qd);
+    eom_projection p = {.most_q = 7};
+    assert_int_equal(eom_project(sys, q, qd, cases[k].t, &p), cases[k].status);
+    if (cases[k].function) assert_string_equal(sys->report.function, cases[k].function);
+    assert_int_equal(sys->report.index, cases[k].index);
+    assert_memory_equal(q, cases[k].q, sizeof q);
+    assert_memory_equal(qd, cases[k].qd, sizeof qd);
+    if (cases[k].status == EOM_INCONSISTENT) assert_string_equal(sys->report.row[0].name, "circle");
+  }
+  eom_system_destroy(sys);
+}
+
+/* Seven rows for two coordinates: the same circle in every row, then a contradiction in the last. */
+static void more_rows_than_coordinates(void **state) {
+  (void)state;
+  redundancy rows = {.rows = 7, .factor = {1, 2, -3, 1e-4, 1e4, 5, 6}};
+  eom_system *sys = start(&redundant, &rows);
+  double q[2] = {0.9, -0.8}, qd[2] = {0.4, 0.3};
+  assert_int_equal(eom_project(sys, q, qd, 1, NULL), EOM_OK);
+  assert_close(hypot(q[0], q[1]), 1, 1e-14, 0);
+  assert_int_equal(eom_acceleration(sys, q, qd, 1), EOM_OK);
+  assert_int_equal(sys->report.rank, 1);
+  assert_int_equal(sys->report.nrow, 6);
+  rows.bend[6] = 1e-2;
+  assert_int_equal(eom_acceleration(sys, q, qd, 1), EOM_INCONSISTENT);
+  assert_true(eom_project(sys, q, qd, 1, NULL) != EOM_OK);
+  eom_system_destroy(sys);
+}
+
 typedef struct drift {
   eom_system *sys;
-  double phi, phi_dot;
+  double phi, phi_dot, energy, energy0;
 } drift;
 
 static int observe(void *user, const eom_integrator *it) {
   drift *d = user;
   if (eom_assemble(d->sys, it->y, it->y + 2, it->t) != EOM_OK) return 1;
   d->phi = fmax(d->phi, fabs(d->sys->phi[0])), d->phi_dot = fmax(d->phi_dot, fabs(d->sys->phi_dot[0]));
+  d->energy = fmax(d->energy, fabs(d->sys->energy - d->energy0));
   return 0;
 }
 
-/* Ten thousand steps, with and without. */
+/* Ten thousand steps, with and without: energy suffers less with. */
 static void projected_steps_do_not_drift(void **state) {
   (void)state;
-  drift with = {start(&cartesian_pendulum, NULL), 0, 0}, without = {with.sys, 0, 0};
+  drift with = {.sys = start(&cartesian_pendulum, NULL)}, without;
   double y0[4] = {0.8, -0.6, 0, 0}, *work = malloc(eom_integrator_size(&eom_dp5, 4) * sizeof *work);
   assert_non_null(work);
   assert_int_equal(eom_project(with.sys, y0, y0 + 2, 0, NULL), EOM_OK);
+  assert_int_equal(eom_energy(with.sys, y0, y0 + 2, 0), EOM_OK);
+  with.energy0 = with.sys->energy;
+  without = with;
   for (int corrected = 0; corrected < 2; corrected++) {
     eom_integrator it;
     eom_integrator_init(&it, &eom_dp5, eom_rhs, with.sys, 4, 0, y0, 0.02, work);
     if (corrected) it.correct = eom_project_state;
     assert_int_equal(eom_integrate(&it, 200, observe, corrected ? &with : &without), EOM_OK);
   }
+  print_message("|phi| %.1e and %.1e, energy %.1e and %.1e\n", with.phi, without.phi, with.energy, without.energy);
   assert_true(with.phi < 1e-14 && with.phi_dot < 1e-13);
+  assert_true(with.energy <= without.energy);
   assert_true(without.phi > 1e-9); /* so that there is something to project */
   free(work);
   eom_system_destroy(with.sys);
@@ -172,6 +226,8 @@ int main(void) {
       cmocka_unit_test(the_change_is_the_least),
       cmocka_unit_test(what_is_kept_stays),
       cmocka_unit_test(agreeing_rows_are_no_difficulty_and_contradictions_are_named),
+      cmocka_unit_test(bad_input_is_named),
+      cmocka_unit_test(more_rows_than_coordinates),
       cmocka_unit_test(projected_steps_do_not_drift),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);

@@ -279,6 +279,27 @@ static void input_that_is_not_finite(void **state) {
   eom_system_destroy(sys);
 }
 
+/* What a caller puts into the parts of the equations. */
+static void parts_that_are_not_finite(void **state) {
+  (void)state;
+  static const char *const names[] = {"mass matrix", "generalized force", "constraint matrix", "constraint vector b"};
+  static const int index[] = {3, 1, 1, 0};
+  for (int part = 0; part < 4; part++)
+    for (int choice = EOM_LINALG_CORE; choice <= EOM_LINALG_LAPACK; choice++) {
+      eom_options options = eom_options_default();
+      options.linalg = (eom_linalg_choice)choice;
+      eom_system *sys;
+      if (eom_system_create(&sys, &cartesian_pendulum, NULL, &options) != EOM_OK) continue; /* a build without LAPACK */
+      assert_int_equal(eom_assemble(sys, (const double[]){0.6, 0.8}, (const double[]){0.1, 0.2}, 0), EOM_OK);
+      double *const parts[] = {sys->M, sys->Q, sys->A, sys->b};
+      parts[part][index[part]] = choice == EOM_LINALG_CORE ? nan("") : HUGE_VAL;
+      assert_int_equal(eom_solve(sys), EOM_NOT_FINITE);
+      assert_string_equal(sys->report.function, names[part]);
+      assert_int_equal(sys->report.index, index[part]);
+      eom_system_destroy(sys);
+    }
+}
+
 static void point_outside_the_domain(void **state) {
   (void)state;
   eom_system *sys = start(&central_field, NULL, NULL);
@@ -419,6 +440,7 @@ int main(void) {
                                      cmocka_unit_test(rank_tolerance),
                                      cmocka_unit_test(coordinate_without_inertia),
                                      cmocka_unit_test(input_that_is_not_finite),
+                                     cmocka_unit_test(parts_that_are_not_finite),
                                      cmocka_unit_test(point_outside_the_domain),
                                      cmocka_unit_test(ill_conditioned_rows),
                                      cmocka_unit_test(more_right_hand_sides),

@@ -112,7 +112,8 @@ typedef struct eom_system {
 
   /* solve, acceleration (which leaves the fields above unspecified) */
   tl_real *qdd;    /* n */
-  tl_real *lambda; /* m: the physical multipliers; of least norm among equals where rows are dependent (rows scaled to unit length) */
+  tl_real *lambda; /* m: the physical multipliers; of least norm among equals where rows are dependent (rows scaled to unit length), 0
+                      for those that options.hold has dropped */
   tl_real *Qc;     /* n: constraint force A' lambda */
   eom_row_kind *row_kind; /* m */
 
