@@ -2,6 +2,7 @@
 #include "common/interrupt.h"
 #include "common/message.h"
 #include "common/options.h"
+#include "figures.h"
 #include "report.h"
 
 #include <math.h>
@@ -9,7 +10,7 @@
 
 const char program[] = "hard_cases";
 
-static const char *const drift_names[] = {"none", "projection", NULL}; /* in the order of run_drift */
+static const char *const drift_names[] = {"none", "baumgarte", "projection", NULL}; /* in the order of run_drift */
 
 static const manual text = {
     .operands = "[NAME..] ",
@@ -18,19 +19,19 @@ static const manual text = {
                "of what the scene measures. Exit status 1 where a bound is missed.\n",
     .examples = "  hard_cases --list\n"
                 "  hard_cases A01 A03\n"
-                "  hard_cases A01 --drift none --out .      the same without projection; A01.csv has the errors over time\n"
+                "  hard_cases A01 --drift none --out .      without projection; A01.csv has the errors over time\n"
                 "  hard_cases --all --quick                 short forms of all; seconds\n",
 };
 
 typedef struct command {
   run_request each;
-  const char *method, *out;
+  const char *method, *out, *figures;
   int drift;
   bool list, all, quick, markdown;
 } command;
 
 static command read_command(int argc, char **argv) {
-  command c = {.drift = DRIFT_PROJECTION};
+  command c = {.each = {.rate = 10.0}, .drift = DRIFT_PROJECTION};
   const option table[] = {
       {.name = "--list", .kind = OPTION_FLAG, .value = &c.list, .help = "print the names of all scenes and what is hard about them"},
       {.name = "--all", .kind = OPTION_FLAG, .value = &c.all, .help = "run all scenes; minutes"},
@@ -41,25 +42,43 @@ static command read_command(int argc, char **argv) {
        .value = &c.each.step,
        .most = HUGE_VAL,
        .operand = "H",
-       .help = "of integration, s; default: the scene's"},
+       .help = "fixed step of integration, s; default: the scene's"},
+      {.name = "--tolerance",
+       .kind = OPTION_ABOVE,
+       .value = &c.each.tolerance,
+       .most = 1.0,
+       .operand = "E",
+       .help = "steps are chosen so that each is wrong by at most E, relative to the largest of 1 and each number"},
       {.name = "--drift",
        .kind = OPTION_CHOICE,
        .value = &c.drift,
        .choices = drift_names,
-       .operand = "none|projection",
-       .help = "\nwhat keeps the constraints: nothing, or projection after each step, the default"},
+       .operand = "none|baumgarte|projection",
+       .help = "\nwhat keeps the constraints: nothing, Baumgarte's terms, or projection after each step, the default"},
+      {.name = "--rate",
+       .kind = OPTION_ABOVE,
+       .value = &c.each.rate,
+       .most = HUGE_VAL,
+       .operand = "R",
+       .help = "both gains of --drift baumgarte, 1/s; default 10"},
       {.name = "--out",
        .kind = OPTION_TEXT,
        .value = &c.out,
        .operand = "DIR",
        .help = "write DIR/NAME.csv for each scene: t,error,energy_error,phi,phi_dot,rank at each output"},
+      {.name = "--figures",
+       .kind = OPTION_TEXT,
+       .value = &c.figures,
+       .operand = "DIR",
+       .help = "draw DIR/speed_NAME.svg, time against error over steps and methods, of the scenes that have one,\n"
+               "and DIR/drift.svg, what none, Baumgarte's terms and projection leave of A01; minutes"},
       {.name = "--markdown", .kind = OPTION_FLAG, .value = &c.markdown, .help = "print the table as a page wants it"},
   };
   read_options(argc, argv, table, sizeof table / sizeof table[0], &text);
   if (c.method != NULL && eom_method_find(c.method) == NULL) usage_error("--method %s: no method has that name", c.method);
+  if (c.each.step > 0.0 && c.each.tolerance > 0.0) usage_error("either --step or --tolerance");
   c.each.method = c.method;
   c.each.drift = (run_drift)c.drift;
-  c.each.quick = c.quick;
   return c;
 }
 
@@ -68,6 +87,7 @@ static int do_scene(const scene *s, const command *c) {
   run r;
   run_request ask = c->each;
   ask.scene = s;
+  ask.duration = c->quick ? s->quick : s->duration;
   run_do(&r, &ask);
   print_run(&r, c->markdown);
   int status = run_passed(&r) ? EXIT_DONE : EXIT_FAILED;
@@ -97,7 +117,12 @@ int main(int argc, char **argv) {
     print_list();
     return finish_stdout() == 0 ? EXIT_DONE : EXIT_FAILED;
   }
-  if (names == 0 && !c.all) usage_error("name a scene, or take --all; --list names them all");
+  if (c.figures != NULL && (names > 0 || c.all)) usage_error("--figures stands alone");
+  if (c.figures != NULL) {
+    watch_interrupts();
+    return draw_figures(c.figures);
+  }
+  if (names == 0 && !c.all) usage_error("name a scene, or take --all or --figures; --list names the scenes");
   if (names > 0 && c.all) usage_error("either --all or names of scenes");
   watch_interrupts();
   int status = EXIT_DONE;

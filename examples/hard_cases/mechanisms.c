@@ -1,10 +1,16 @@
 /* Scenes of published mechanisms with closed loops and stiff parts. */
 #include "andrews.h"
 #include "andrews_tl.h"
+#include "bricard.h"
+#include "bricard_tl.h"
 #include "elastic_crank.h"
 #include "elastic_crank_tl.h"
+#include "elliptic.h"
 #include "flyball.h"
 #include "flyball_tl.h"
+#include "four_bars.h"
+#include "four_bars2_tl.h"
+#include "four_bars40_tl.h"
 #include "scene.h"
 
 #include <math.h>
@@ -50,8 +56,9 @@ const scene scene_a03 = {.name = "A03",
                          .duration = 0.05,
                          .quick = 0.01,
                          .outputs = 50,
-                         .method = "dp5",
-                         .step = 2.5e-6,
+                         .method = "dop853",
+                         .tolerance = 1e-12,
+                         .coarsest = 4e-5,
                          .measured = "beta, end of the crank",
                          .values = 3,
                          .measure = andrews_measure,
@@ -62,6 +69,118 @@ const scene scene_a03 = {.name = "A03",
                          .work = andrews_work,
                          .source = "the published digits",
                          .published = "OpenSim 3.2 0.384 s"};
+
+/* ---- N four-bars, which turn as one parallelogram: with f from the vertical, I f'' = G sin f, I = (N + 1)/3 + N, G = g ((N + 1)/2 +
+ * N) in units of m l^2 and m l, so with w^2 = 1 + 4 G/I, the square of the rate at the bottom after 1 rad/s at the top, and k = (w^2 -
+ * 1)/w^2, f = pi + 2 am(w t/2 - K(k)),  f' = w dn(w t/2 - K(k)). */
+
+static four_bars bars2, bars40;
+
+static void bars_begin(scene_start *s, four_bars *p, int loops) {
+  *p = four_bars_parameters(loops);
+  s->params = p;
+  four_bars_start(p, s->q, s->qd);
+}
+
+static void bars2_begin(scene_start *s) { bars_begin(s, &bars2, 2); }
+static void bars40_begin(scene_start *s) { bars_begin(s, &bars40, 40); }
+
+/* Place and velocity of the first joint. */
+static void first_joint(const four_bars *p, const double *y, double *value) {
+  for (int i = 0; i < 2; i++) value[i] = y[i], value[2 + i] = y[p->coordinates + i];
+}
+
+static void bars2_measure(const double *y, double *value) { first_joint(&bars2, y, value); }
+static void bars40_measure(const double *y, double *value) { first_joint(&bars40, y, value); }
+
+static void parallelogram(const four_bars *p, double t, double *value) {
+  const double inertia = (p->loops + 1) / 3.0 + p->loops, torque = p->g * ((p->loops + 1) / 2.0 + p->loops);
+  const double w2 = 1.0 + 4.0 * torque / inertia, w = sqrt(w2), k = (w2 - 1.0) / w2;
+  const elliptic at = elliptic_at(0.5 * w * t - elliptic_quarter(k), k);
+  const double s = -sin(2.0 * at.am), c = -cos(2.0 * at.am), rate = w * at.dn;
+  value[0] = s, value[1] = c, value[2] = rate * c, value[3] = -rate * s;
+}
+
+static void bars2_truth(double t, double *value) { parallelogram(&bars2, t, value); }
+static void bars40_truth(double t, double *value) { parallelogram(&bars40, t, value); }
+
+#define BARS                                                                                                                           \
+  .method = "dop853", .tolerance = 1e-12, .measured = "first joint and its velocity", .values = 4, .floor = 1e-3, .required = 1e-3,    \
+  .energy = 0.1, .source = "the benchmark"
+
+const scene scene_a02 = {.name = "A02",
+                         .about = "40 four-bars in a row: 41 freedoms at each passage of the horizontal",
+                         .model = &four_bars40_model,
+                         .begin = bars40_begin,
+                         .duration = 20.0,
+                         .quick = 1.0,
+                         .outputs = 400,
+                         .measure = bars40_measure,
+                         .truth = bars40_truth,
+                         BARS};
+const scene scene_a02_2 = {.name = "A02_2",
+                           .about = "2 four-bars in a row: 3 freedoms at each passage of the horizontal",
+                           .model = &four_bars2_model,
+                           .begin = bars2_begin,
+                           .duration = 10.0,
+                           .quick = 2.0,
+                           .outputs = 200,
+                           .coarsest = 0.02,
+                           .measure = bars2_measure,
+                           .truth = bars2_truth,
+                           BARS,
+                           .published = "OpenSim 3.2 0.455 s"};
+
+/* ---- Bricard's mechanism: P3 from a solution in quadruple precision whose digits agree at two tolerances. */
+
+static const scene_digits bricard_digits[] = {
+    {0.25, {0.9980847968766585, -1.0600572019049839, 0.9381393643446883}},
+    {0.5, {0.9681538711727576, -1.2250354363220488, 0.7496440898776237}},
+    {0.75, {0.8360066147843133, -1.4482536819515328, 0.45128063635691434}},
+    {1.0, {0.5086647602300617, -1.6498270632111325, 0.13903533074806496}},
+    {1.5, {-0.5206114976532169, -1.645474820231044, 0.14620630799280643}},
+    {2.0, {-0.9698920037897387, -1.2194551409464747, 0.7564645796096069}},
+    {2.5, {-0.9999999989432189, -1.0000459724372763, 0.9999540265059912}},
+    {3.0, {-0.9663411779036645, -1.230661550970519, 0.7427360734814182}},
+    {4.0, {0.5323992825579031, -1.6410322100967307, 0.15350664271251954}},
+    {5.0, {0.9999999830907257, -1.0001838812949344, 0.9998161017989003}},
+    {6.0, {0.4843027689008353, -1.6582523737368002, 0.12509953249813374}},
+    {7.0, {-0.9731527665928688, -1.2084371279823956, 0.7698398538568297}},
+    {8.0, {-0.9624838044946677, -1.2420460014195231, 0.728660865178887}},
+    {9.0, {0.5554905314622124, -1.6318841022913033, 0.1684771383444537}},
+    {10.0, {0.9999997294019177, -1.000735389910512, 0.9992643396903277}},
+};
+
+static bricard cube;
+
+static void bricard_begin(scene_start *s) {
+  cube = bricard_parameters();
+  s->params = &cube;
+  bricard_start(s->q, s->qd);
+}
+
+static void bricard_measure(const double *y, double *value) {
+  for (int i = 0; i < 3; i++) value[i] = y[6 + i];
+}
+
+const scene scene_a04 = {.name = "A04",
+                         .about = "Bricard's mechanism: 24 constraints of rank 23, and only where they hold",
+                         .model = &bricard_model,
+                         .begin = bricard_begin,
+                         .duration = 10.0,
+                         .quick = 1.0,
+                         .outputs = 200,
+                         .method = "dop853",
+                         .tolerance = 1e-12,
+                         .coarsest = 0.02,
+                         .measured = "P3",
+                         .values = 3,
+                         .measure = bricard_measure,
+                         DIGITS(bricard_digits),
+                         .floor = 1.0,
+                         .required = 1e-6,
+                         .energy = 1e-3,
+                         .published = "OpenSim 3.2 0.258 s"};
 
 /* ---- flyball governor: height of the slider, from a solution in quadruple precision whose digits agree at two tolerances. */
 
@@ -90,8 +209,9 @@ const scene scene_a05 = {.name = "A05",
                          .duration = 10.0,
                          .quick = 1.0,
                          .outputs = 100,
-                         .method = "dp5",
-                         .step = 4e-5,
+                         .method = "dop853",
+                         .tolerance = 1e-12,
+                         .coarsest = 1.6e-4,
                          .measured = "height of the slider",
                          .values = 1,
                          .measure = flyball_measure,
@@ -123,8 +243,8 @@ const scene scene_elastic_crank = {.name = "crank",
                                    .duration = 0.1,
                                    .quick = 0.1,
                                    .outputs = 100,
-                                   .method = "dp5",
-                                   .step = 5e-6,
+                                   .method = "dop853",
+                                   .tolerance = 1e-12,
                                    .measured = "phi2, x3, q1, q4",
                                    .values = 4,
                                    .measure = crank_measure,

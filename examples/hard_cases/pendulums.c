@@ -50,8 +50,9 @@ const scene scene_a01 = {.name = "A01",
                          .duration = 2000.0,
                          .quick = 10.0,
                          .outputs = 4000,
-                         .method = "dp5",
-                         .step = 2.5e-3,
+                         .method = "dop853",
+                         .tolerance = 1e-14,
+                         .coarsest = 0.1,
                          SIMPLE_TRUTH,
                          .source = "the benchmark",
                          .published = "Exudyn 0.037 s, OpenSim 3.2 0.637 s for 10 s"};
@@ -66,7 +67,7 @@ static void scaled_begin(scene_start *s) { simple_begin(s, &scaled); }
 static void mixed_begin(scene_start *s) { simple_begin(s, &mixed); }
 
 #define REPEATED                                                                                                                       \
-  .model = &repeated_rod_model, .duration = 100.0, .quick = 5.0, .outputs = 200, .method = "dp5", .step = 2.5e-3, SIMPLE_TRUTH
+  .model = &repeated_rod_model, .duration = 100.0, .quick = 5.0, .outputs = 200, .method = "dop853", .tolerance = 1e-12, SIMPLE_TRUTH
 
 const scene scene_rod_thrice = {
     .name = "thrice", .about = "simple pendulum whose constraint is given three times", .begin = thrice_begin, REPEATED};
@@ -129,7 +130,7 @@ static const scene_digits digits64[] = {
     {1.0, {-0.674606566643064, -3.942124265958593, 0.07411447579126175, -15.5115562104919}},
 };
 
-#define CHAIN .method = "dp5", .floor = 1.0
+#define CHAIN .method = "dop853", .floor = 1.0
 
 const scene scene_chain6 = {.name = "chain6",
                             .about = "chain of 6 links, rods as constraints",
@@ -138,7 +139,7 @@ const scene scene_chain6 = {.name = "chain6",
                             .duration = 10.0,
                             .quick = 2.0,
                             .outputs = 100,
-                            .step = 1e-3,
+                            .tolerance = 1e-12,
                             .measured = "last mass",
                             .values = 2,
                             .measure = last6,
@@ -153,7 +154,7 @@ const scene scene_chain16 = {.name = "chain16",
                              .duration = 5.0,
                              .quick = 1.0,
                              .outputs = 50,
-                             .step = 1e-3,
+                             .tolerance = 1e-12,
                              .measured = "last mass",
                              .values = 2,
                              .measure = last16,
@@ -168,7 +169,7 @@ const scene scene_chain64 = {.name = "chain64",
                              .duration = 1.0,
                              .quick = 0.1,
                              .outputs = 10,
-                             .step = 1e-3,
+                             .tolerance = 1e-12,
                              .measured = "masses 4 and 16",
                              .values = 4,
                              .measure = some64,
@@ -178,10 +179,12 @@ const scene scene_chain64 = {.name = "chain64",
                              CHAIN};
 
 /* ---- two links, masses in the ratio 1e8; digits as above. With the heavy mass below, the chain starts straight, and the light mass
- * can swing across at 4e4 rad/s. The energy is of the size of 1e9 J. */
+ * can swing across at 4e4 rad/s; when the heavy mass is let fall and the chain snaps straight, it is thrown across within 1e-8 s. The
+ * energy is of the size of 1e9 J. */
 
 static cartesian_pendulum heavy_above = {.mass = {1e8, 1.0}}, heavy_below = {.mass = {1.0, 1e8}};
 static void heavy_above_begin(scene_start *s) { chain_begin(s, &heavy_above, 2, false); }
+static void snap_begin(scene_start *s) { chain_begin(s, &heavy_below, 2, false); }
 static void heavy_below_begin(scene_start *s) { chain_begin(s, &heavy_below, 2, true); }
 
 static void both(const double *y, double *value) {
@@ -200,8 +203,21 @@ static const scene_digits digits_below[] = {
     {2.0, {-0.7923913200580042, -0.6100131112498597, -1.5847826374261658, -1.2200262259937555}},
 };
 
+static const scene_digits digits_snap[] = {
+    {1.0, {0.17140134008432292, -0.9852012893908018, -0.6831620574239099, -1.5045483791479177}},
+    {2.0, {0.43730023613419444, -0.899315575021904, -0.18295819990705636, -1.6837130970218537}},
+    {3.0, {0.8646323352722176, -0.5024051401027974, 0.9649266597714732, -1.4973629525115637}},
+    {4.0, {-0.04429483485960795, -0.9990185021333489, -0.9778603737320866, -1.3574252328594036}},
+    {5.0, {0.654688000527652, -0.75589921415828, 0.4241729161905522, -1.7289679660422668}},
+    {6.0, {0.4020297338087989, -0.9156266122899805, 0.5474383585741891, -1.904998297676134}},
+    {7.0, {-0.8286968801821348, -0.5596976690825115, -1.1269779322743438, -1.5141757536726004}},
+    {8.0, {0.7075901708653344, -0.7066230608285913, 1.0182524280633625, -1.6571434246044685}},
+    {9.0, {-0.45072565382330126, -0.8926625258100385, -0.14640281106085637, -1.8452314773159042}},
+    {10.0, {-0.8301022460632096, -0.5576112096082849, -0.690594627320646, -1.5478322073218151}},
+};
+
 #define HEAVY                                                                                                                          \
-  .model = &chain2_model, .quick = 1.0, .method = "dp5", .measured = "both masses", .values = 4, .measure = both, .floor = 1.0,        \
+  .model = &chain2_model, .quick = 1.0, .method = "dop853", .measured = "both masses", .values = 4, .measure = both, .floor = 1.0,     \
   .energy = 1.0
 
 const scene scene_heavy_above = {.name = "heavy_above",
@@ -209,7 +225,7 @@ const scene scene_heavy_above = {.name = "heavy_above",
                                  .begin = heavy_above_begin,
                                  .duration = 5.0,
                                  .outputs = 50,
-                                 .step = 5e-4,
+                                 .tolerance = 1e-12,
                                  DIGITS(digits_above),
                                  .required = 1e-6,
                                  HEAVY};
@@ -218,10 +234,19 @@ const scene scene_heavy_below = {.name = "heavy_below",
                                  .begin = heavy_below_begin,
                                  .duration = 2.0,
                                  .outputs = 20,
-                                 .step = 1e-5,
+                                 .tolerance = 1e-12,
                                  DIGITS(digits_below),
                                  .required = 1e-6,
                                  HEAVY};
+const scene scene_snap = {.name = "snap",
+                          .about = "the same let fall: it snaps straight within 1e-8 s",
+                          .begin = snap_begin,
+                          .duration = 10.0,
+                          .outputs = 100,
+                          .tolerance = 1e-14,
+                          DIGITS(digits_snap),
+                          .required = 1e-6,
+                          HEAVY};
 
 /* ---- pendulum on a spring a thousand times as fast as it swings: from a solution in quadruple precision whose digits agree at two
  * tolerances. */
@@ -246,8 +271,8 @@ const scene scene_spring = {.name = "spring",
                             .duration = 100.0,
                             .quick = 1.0,
                             .outputs = 1000,
-                            .method = "dp5",
-                            .step = 2e-5,
+                            .method = "dop853",
+                            .tolerance = 1e-12,
                             .measured = "length, angle",
                             .values = 2,
                             .measure = simple_measure,

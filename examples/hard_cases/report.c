@@ -18,8 +18,8 @@ void print_head(bool markdown) {
            "\\|φ\\| | "
            "\\|φ̇\\| | time / real time | others |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   else
-    printf("%-12s %3s %3s %6s  %-10s %8s  %8s %8s  %8s %8s  %8s %8s  %9s\n", "scene", "n", "m", "rank", "method", "step, s", "required",
-           "error", "energy", "error, J", "|phi|", "|phi_dot|", "time/real");
+    printf("%-12s %3s %3s %6s  %-10s %8s  %8s %8s  %8s %8s  %8s %8s  %9s\n", "scene", "n", "m", "rank", "method", "step, tol",
+           "required", "error", "energy", "error, J", "|phi|", "|phi_dot|", "time/real");
 }
 
 static const char *rank_text(const run *r, char *text) {
@@ -37,13 +37,17 @@ static const char *number(double x, bool there, char *text) {
   return text;
 }
 
+/* The step, or the tolerance where steps are chosen by their error. */
+static double steps_of(const run *r) { return r->ask.step > 0.0 ? r->ask.step : r->ask.tolerance; }
+
 static void print_cells(const run *r, const char *rank, const char *energy, const char *energy_error, const char *phi,
                         const char *phi_dot) {
   const scene *s = r->ask.scene;
-  printf("| %s | %s | %d | %d | %s | %s, %.3g s | %s | %.0e%s%s | %.1e | %s | %s | %s | %s | %.2g | %s |\n", s->name, s->about, r->n,
-         r->m, rank, r->ask.method, r->ask.step, s->measured, s->required, s->source != NULL ? ", " : "",
-         s->source != NULL ? s->source : "", r->worst.error, energy, energy_error, phi, phi_dot, r->seconds / r->duration,
-         s->published != NULL ? s->published : "");
+  char steps[TEXT_SIZE];
+  snprintf(steps, sizeof steps, r->ask.step > 0.0 ? "%.2g s" : "%.0e", steps_of(r));
+  printf("| %s | %s | %d | %d | %s | %s, %s | %s | %.0e%s%s | %.1e | %s | %s | %s | %s | %.2g | %s |\n", s->name, s->about, r->n, r->m,
+         rank, r->ask.method, steps, s->measured, s->required, s->source != NULL ? ", " : "", s->source != NULL ? s->source : "",
+         r->worst.error, energy, energy_error, phi, phi_dot, r->seconds / r->duration, s->published != NULL ? s->published : "");
 }
 
 void print_run(const run *r, bool markdown) {
@@ -59,7 +63,7 @@ void print_run(const run *r, bool markdown) {
     print_cells(r, rank, energy, energy_error, phi, phi_dot);
   else
     printf("%-12s %3d %3d %6s  %-10s %8.2g  %8.0e %8.1e  %8s %8s  %8s %8s  %9.2g%s\n", s->name, r->n, r->m, rank, r->ask.method,
-           r->ask.step, s->required, r->worst.error, energy, energy_error, phi, phi_dot, r->seconds / r->duration,
+           steps_of(r), s->required, r->worst.error, energy, energy_error, phi, phi_dot, r->seconds / r->duration,
            run_passed(r) ? "" : "  MISSED");
   fflush(stdout);
 }

@@ -102,20 +102,28 @@ static eom_status advance(course *c, int outputs) {
   return status;
 }
 
-/* A consistent start; then all steps, equal ones that end at each output. */
+/* Equal steps that end at each output, or steps chosen by their error. */
+static eom_status set_out(course *c, const eom_method *method, const double *y, double *work) {
+  const run_request *ask = &c->r->ask;
+  const double between = c->scene->duration / c->scene->outputs;
+  const double step = ask->step > 0.0 ? between / ceil(between / ask->step) : 0.0;
+  eom_integrator_init(&c->it, method, eom_rhs, c->sys, 2 * c->sys->n, 0.0, y, step, work);
+  if (c->sys->m > 0 && ask->drift == DRIFT_PROJECTION) c->it.correct = eom_project_state;
+  if (ask->step > 0.0) return EOM_OK;
+  return eom_integrator_control(&c->it, &(eom_step_control){.rtol = ask->tolerance, .atol = ask->tolerance});
+}
+
+/* A consistent start, then all steps. */
 static eom_status start_and_advance(course *c, const scene_start *start, int outputs) {
   eom_system *sys = c->sys;
   const int n = sys->n;
-  const run_request *ask = &c->r->ask;
-  const eom_method *method = eom_method_find(ask->method);
-  const double between = c->scene->duration / c->scene->outputs;
+  const eom_method *method = eom_method_find(c->r->ask.method);
   double *y = malloc((size_t)(2 * n) * sizeof *y), *work = malloc(eom_integrator_size(method, 2 * n) * sizeof *work);
   eom_status status = y != NULL && work != NULL ? EOM_OK : EOM_NO_MEMORY;
   for (int i = 0; i < n && status == EOM_OK; i++) y[i] = start->q[i], y[n + i] = start->qd[i];
   if (status == EOM_OK) status = eom_project(sys, y, y + n, 0.0, NULL);
+  if (status == EOM_OK) status = set_out(c, method, y, work);
   if (status == EOM_OK) {
-    eom_integrator_init(&c->it, method, eom_rhs, sys, 2 * n, 0.0, y, between / ceil(between / ask->step), work);
-    if (sys->m > 0 && ask->drift == DRIFT_PROJECTION) c->it.correct = eom_project_state;
     progress_start(&c->line);
     status = advance(c, outputs);
     progress_end(&c->line);
@@ -132,6 +140,7 @@ static eom_status go(run *r, course *c) {
   const int outputs = (int)lround(r->duration / s->duration * s->outputs);
   s->begin(&start);
   options.needs = EOM_NEED_SIMULATE;
+  if (r->ask.drift == DRIFT_BAUMGARTE) options.baumgarte = (eom_baumgarte){.alpha = r->ask.rate, .beta = r->ask.rate};
   const eom_status status = eom_system_create(&c->sys, s->model, start.params, &options);
   if (status != EOM_OK) return status;
   r->n = c->sys->n, r->m = c->sys->m;
@@ -141,9 +150,9 @@ static eom_status go(run *r, course *c) {
 
 void run_do(run *r, const run_request *ask) {
   const scene *s = ask->scene;
-  *r = (run){.ask = *ask, .duration = ask->quick ? s->quick : s->duration};
+  *r = (run){.ask = *ask, .duration = ask->duration > 0.0 ? ask->duration : s->duration};
   if (r->ask.method == NULL) r->ask.method = s->method;
-  if (!(r->ask.step > 0.0)) r->ask.step = s->step;
+  if (!(r->ask.step > 0.0) && !(r->ask.tolerance > 0.0)) r->ask.step = s->step, r->ask.tolerance = s->tolerance;
   course c = {.r = r, .scene = s};
   r->status = go(r, &c);
   if (c.sys != NULL) r->report = c.sys->report;

@@ -7,14 +7,16 @@
 #include <stdbool.h>
 
 /* What keeps the constraints. */
-typedef enum run_drift { DRIFT_NONE, DRIFT_PROJECTION } run_drift;
+typedef enum run_drift { DRIFT_NONE, DRIFT_BAUMGARTE, DRIFT_PROJECTION } run_drift;
 
 typedef struct run_request {
   const scene *scene;
-  bool quick;         /* the short form */
+  double duration;    /* s; 0: the scene's */
   const char *method; /* of integration; null: the scene's */
-  double step;        /* s; 0: the scene's */
+  double step;        /* s */
+  double tolerance;   /* of steps chosen by their error; 0 for it and for step: the scene's */
   run_drift drift;
+  double rate; /* alpha = beta of DRIFT_BAUMGARTE, 1/s */
 } run_request;
 
 /* One output. */
@@ -34,8 +36,8 @@ typedef struct run {
   int nrow;
   run_row worst; /* the largest of each, from t = 0 on; t: how far the run got; rank: the least */
   int most_rank;
-  long steps, evaluations;
-  double seconds; /* of computation, without the outputs */
+  long steps, evaluations; /* of the right-hand side */
+  double seconds;          /* of computation, without the outputs */
   eom_status status;
   eom_report report; /* of a status that is not OK */
 } run;

@@ -26,7 +26,8 @@ typedef struct scene {
   double duration, quick; /* of the whole scene and of its short form, s */
   int outputs;            /* in the whole duration, at equal distances; those of the short form are the first of them */
   const char *method;     /* of integration */
-  double step;            /* s */
+  double step, tolerance; /* s; of a step's error, relative to the largest of 1 and each number: one of them is 0 */
+  double coarsest;        /* step that the figure of speed against error begins with, s; 0: no such figure */
 
   /* The error is the largest |value - truth| / max(|truth|, floor) over all values and outputs that have a truth. */
   const char *measured; /* what the values are */
@@ -44,10 +45,10 @@ typedef struct scene {
 
 /* By the files that define them; all of them in the order in which they are listed. */
 extern const scene scene_a01, scene_rod_thrice, scene_rod_scaled, scene_rod_mixed, scene_chain6, scene_chain16, scene_chain64,
-    scene_heavy_above, scene_heavy_below, scene_spring;                     /* pendulums.c */
-extern const scene scene_a03, scene_a05, scene_elastic_crank;               /* mechanisms.c */
-extern const scene scene_disk, scene_knife, scene_sleigh, scene_snakeboard; /* rolling.c */
-extern const scene scene_top, scene_kepler;                                 /* turning.c */
+    scene_heavy_above, scene_heavy_below, scene_snap, scene_spring;                              /* pendulums.c */
+extern const scene scene_a02, scene_a02_2, scene_a03, scene_a04, scene_a05, scene_elastic_crank; /* mechanisms.c */
+extern const scene scene_disk, scene_knife, scene_sleigh, scene_snakeboard;                      /* rolling.c */
+extern const scene scene_top, scene_kepler;                                                      /* turning.c */
 extern const scene *const scenes[];
 extern const int nscenes;
 
