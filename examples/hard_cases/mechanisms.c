@@ -10,7 +10,7 @@
 #include "flyball_tl.h"
 #include "four_bars.h"
 #include "four_bars2_tl.h"
-#include "four_bars40_tl.h"
+#include "four_bars_tl.h"
 #include "scene.h"
 
 #include <math.h>
@@ -106,11 +106,11 @@ static void bars40_truth(double t, double *value) { parallelogram(&bars40, t, va
 
 #define BARS                                                                                                                           \
   .method = "dop853", .tolerance = 1e-12, .measured = "first joint and its velocity", .values = 4, .floor = 1e-3, .required = 1e-3,    \
-  .energy = 0.1, .source = "the benchmark"
+  .energy = 0.1, .hold = true, .source = "the benchmark"
 
 const scene scene_a02 = {.name = "A02",
                          .about = "40 four-bars in a row: 41 freedoms at each passage of the horizontal",
-                         .model = &four_bars40_model,
+                         .model = &four_bars_model,
                          .begin = bars40_begin,
                          .duration = 20.0,
                          .quick = 1.0,
@@ -125,7 +125,7 @@ const scene scene_a02_2 = {.name = "A02_2",
                            .duration = 10.0,
                            .quick = 2.0,
                            .outputs = 200,
-                           .coarsest = 0.02,
+                           .coarsest = 0.05,
                            .measure = bars2_measure,
                            .truth = bars2_truth,
                            BARS,
@@ -169,10 +169,11 @@ const scene scene_a04 = {.name = "A04",
                          .begin = bricard_begin,
                          .duration = 10.0,
                          .quick = 1.0,
-                         .outputs = 200,
+                         .outputs = 40,
                          .method = "dop853",
                          .tolerance = 1e-12,
-                         .coarsest = 0.02,
+                         .hold = true,
+                         .coarsest = 0.125,
                          .measured = "P3",
                          .values = 3,
                          .measure = bricard_measure,

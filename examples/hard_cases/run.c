@@ -57,6 +57,11 @@ static double largest(const double *x, int count) {
 
 static double balance(const course *c, const double *y) { return c->sys->energy - (c->scene->work != NULL ? c->scene->work(y) : 0.0); }
 
+static void note_rank(run *r, int rank) {
+  if (rank < r->worst.rank) r->worst.rank = rank;
+  if (rank > r->most_rank) r->most_rank = rank;
+}
+
 /* The errors of the state now, as a new row. */
 static eom_status observe(course *c) {
   run *r = c->r;
@@ -77,13 +82,13 @@ static eom_status observe(course *c) {
   r->worst.energy = fmax(r->worst.energy, row.energy);
   r->worst.phi = fmax(r->worst.phi, row.phi);
   r->worst.phi_dot = fmax(r->worst.phi_dot, row.phi_dot);
-  if (row.rank < r->worst.rank) r->worst.rank = row.rank;
-  if (row.rank > r->most_rank) r->most_rank = row.rank;
+  note_rank(r, row.rank);
   return EOM_OK;
 }
 
-static int heed_interrupt(void *observer, const eom_integrator *it) {
+static int after_step(void *observer, const eom_integrator *it) {
   course *c = observer;
+  if (c->sys->held_rank >= 0) note_rank(c->r, c->sys->held_rank);
   progress_show(&c->line, c->scene->name, it->t / c->r->duration);
   return interrupted();
 }
@@ -93,7 +98,7 @@ static eom_status advance(course *c, int outputs) {
   eom_status status = observe(c);
   for (int i = 1; i <= outputs && status == EOM_OK; i++) {
     const double begin = now();
-    status = eom_integrate(&c->it, c->scene->duration * i / c->scene->outputs, heed_interrupt, c);
+    status = eom_integrate(&c->it, c->scene->duration * i / c->scene->outputs, after_step, c);
     c->r->seconds += now() - begin;
     if (status == EOM_OK) status = observe(c);
   }
@@ -140,6 +145,7 @@ static eom_status go(run *r, course *c) {
   const int outputs = (int)lround(r->duration / s->duration * s->outputs);
   s->begin(&start);
   options.needs = EOM_NEED_SIMULATE;
+  options.hold.on = s->hold;
   if (r->ask.drift == DRIFT_BAUMGARTE) options.baumgarte = (eom_baumgarte){.alpha = r->ask.rate, .beta = r->ask.rate};
   const eom_status status = eom_system_create(&c->sys, s->model, start.params, &options);
   if (status != EOM_OK) return status;

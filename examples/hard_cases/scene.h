@@ -4,6 +4,8 @@
 
 #include <eom/eom.h>
 
+#include <stdbool.h>
+
 enum { SCENE_MOST_COORDINATES = 128, SCENE_MOST_VALUES = 4 };
 
 /* Reference digits at one time. */
@@ -27,6 +29,7 @@ typedef struct scene {
   int outputs;            /* in the whole duration, at equal distances; those of the short form are the first of them */
   const char *method;     /* of integration */
   double step, tolerance; /* s; of a step's error, relative to the largest of 1 and each number: one of them is 0 */
+  bool hold;              /* the rank is decided once per step (eom_hold) */
   double coarsest;        /* step that the figure of speed against error begins with, s; 0: no such figure */
 
   /* The error is the largest |value - truth| / max(|truth|, floor) over all values and outputs that have a truth. */
