@@ -48,13 +48,13 @@ static command read_command(int argc, char **argv) {
        .value = &c.each.tolerance,
        .most = 1.0,
        .operand = "E",
-       .help = "steps are chosen so that each is wrong by at most E, relative to the largest of 1 and each number"},
+       .help = "steps are chosen so that each is wrong by at most E,\nrelative to the larger of 1 and each number"},
       {.name = "--drift",
        .kind = OPTION_CHOICE,
        .value = &c.drift,
        .choices = drift_names,
        .operand = "none|baumgarte|projection",
-       .help = "\nwhat keeps the constraints: nothing, Baumgarte's terms, or projection after each step, the default"},
+       .help = "\nwhat keeps the constraints: nothing, Baumgarte's terms, or projection\nafter each step, the default"},
       {.name = "--rate",
        .kind = OPTION_ABOVE,
        .value = &c.each.rate,
@@ -70,7 +70,7 @@ static command read_command(int argc, char **argv) {
        .kind = OPTION_TEXT,
        .value = &c.figures,
        .operand = "DIR",
-       .help = "draw DIR/speed_NAME.svg, time against error over steps and methods, of the scenes that have one,\n"
+       .help = "draw DIR/speed_NAME.svg, time against error over steps and methods, of some scenes,\n"
                "and DIR/drift.svg, what none, Baumgarte's terms and projection leave of A01; minutes"},
       {.name = "--markdown", .kind = OPTION_FLAG, .value = &c.markdown, .help = "print the table as a page wants it"},
   };
