@@ -106,8 +106,8 @@ static void power_by_series(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real y)
   tl_check(cx, c, TL_FN_pow);
 }
 
-/* The same for y < 0 on a brought to the size of 1, f_k = binomial(y,k) a_0^y/(scale a_0)^k: the single powers above could vanish, or
- * overflow, where their products with the derivatives of a do not. */
+/* The same for y < 0, not tiny, on a brought to the size of 1, f_k = binomial(y,k) a_0^y/(scale a_0)^k: the single powers above could
+ * vanish, or overflow, where their products with the derivatives of a do not. */
 static void negative_power_by_series(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real y) {
   tl_real f[MAX_DEGREE + 1] = {TL_LIBM(pow)(a[0], y)}, *x = tl_scratch(cx, 0);
   const tl_real scale = tl_normaliser(a[0]), a0 = a[0];
@@ -157,7 +157,7 @@ void tl_powc(tl_ctx *cx, tl_real *c, const tl_real *a, tl_real x) {
   else if (a0 == TL_C(0.0) && !integer)
     tl_reject(cx, c, TL_SINGULAR, TL_FN_pow);
   else if (!is_moderate(value) || !is_moderate(x))
-    (x < TL_C(0.0) ? negative_power_by_series : power_by_series)(cx, c, a, x);
+    (x < TL_C(0.0) && is_moderate(x) ? negative_power_by_series : power_by_series)(cx, c, a, x);
   else if (cx->shape->degree <= TL_WIDE_DEGREE || is_near_integer(x))
     power_from_value(cx, c, a, x, value);
   else
