@@ -3,6 +3,9 @@
 #define TEST_FUNCTIONS_H
 
 #include "taylor/taylor.h"
+#ifdef TEST_LANES
+#include "through_lanes.h"
+#endif
 
 /* Of one jet, of two, or of one jet and a constant. */
 typedef struct jet_function {

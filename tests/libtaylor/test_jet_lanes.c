@@ -12,7 +12,7 @@
 
 static const tl_spec SPECS[] = {{0, 1, 0},  {0, 1, 1}, {0, 3, 1}, {0, 3, 2}, {0, 3, 3}, {0, 2, 8}, {5, 0, 0},
                                 {12, 0, 0}, {0, 1, 7}, {1, 5, 1}, {2, 6, 1}, {8, 3, 1}, {2, 2, 3}};
-enum { NSPEC = sizeof SPECS / sizeof *SPECS, TRIES = 12 };
+enum { NSPEC = sizeof SPECS / sizeof *SPECS, TRIES = 12, WHOLE = 3 };
 
 /* A shape with memory for jets with lanes, and for one lane of each. */
 typedef struct workplace {
@@ -74,23 +74,24 @@ static int same_number(tl_number a, tl_number b) { return a == b || (a != a && b
 
 /* a, b and the old c in lanes against the same alone. */
 static int assert_operation(workplace *w, int which) {
-  const int n = w->shape.ncoef;
-  tl_number *alone = allocate(2 * (size_t)n * TL_REAL_LANES * sizeof *alone);
+  const int ncoef = w->shape.ncoef;
+  tl_number *alone = allocate(2 * (size_t)ncoef * TL_REAL_LANES * sizeof *alone);
   int failed = -1, function = TL_FN_none;
   unsigned bits = TL_OK;
   for (int lane = 0; lane < TL_REAL_LANES; lane++) {
     int its_function;
     load(w, w->one_a, w->a, lane), load(w, w->one_b, w->b, lane), load(w, w->one_c, w->c, lane);
-    const unsigned its = one_lane(which, &w->shape, w->one_c, w->one_d, w->one_a, w->one_b, w->x[lane], &its_function);
+    const unsigned its = one_lane(which, &w->shape, w->one_c, w->one_d, w->one_a, w->one_b, w->x[lane], WHOLE, &its_function);
     if (its != TL_OK && failed < 0) failed = lane, bits = its, function = its_function;
-    memcpy(alone + 2 * lane * n, w->one_c, (size_t)n * sizeof *alone);
-    memcpy(alone + (2 * lane + 1) * n, w->one_d, (size_t)n * sizeof *alone);
+    memcpy(alone + 2 * lane * ncoef, w->one_c, (size_t)ncoef * sizeof *alone);
+    memcpy(alone + (2 * lane + 1) * ncoef, w->one_d, (size_t)ncoef * sizeof *alone);
   }
   tl_ctx_clear(&w->cx);
   tl_ctx *cx = &w->cx;
   tl_real *c = w->c, *d = w->d, x = w->x;
   const tl_real *a = w->a, *b = w->b;
-  LANE_TEST_CASES(cx, which, c, d, a, b, x)
+  const long long n = WHOLE;
+  LANE_TEST_CASES(cx, which, c, d, a, b, a, x, n)
   if (failed >= 0) {
     if (cx->status.bits != bits || (int)cx->status.function != function || cx->status.lane != failed)
       fail_msg("operation %d: status %u of %s in lane %d, alone %u of %s in lane %d", which, cx->status.bits,
@@ -98,8 +99,8 @@ static int assert_operation(workplace *w, int which) {
   } else {
     assert_int_equal(cx->status.bits, TL_OK);
     for (int lane = 0; lane < TL_REAL_LANES; lane++)
-      for (int i = 0; i < n * (which == LANE_TEST_sincos ? 2 : 1); i++) {
-        const tl_number in_lanes = i < n ? c[i][lane] : d[i - n][lane], expected = alone[2 * lane * n + i];
+      for (int i = 0; i < ncoef * (which == LANE_TEST_sincos ? 2 : 1); i++) {
+        const tl_number in_lanes = i < ncoef ? c[i][lane] : d[i - ncoef][lane], expected = alone[2 * lane * ncoef + i];
         if (!same_number(in_lanes, expected))
           fail_msg("operation %d, shape {%d,%d,%d}, lane %d, coefficient %d: %.17g, alone %.17g", which, w->shape.curve, w->shape.nvar,
                    w->shape.order, lane, i, (double)in_lanes, (double)expected);
