@@ -2,6 +2,7 @@
 #include "close.h"
 #include "constrained_models.h"
 #include "evaluation.h"
+#include "pen.h"
 #include "random.h"
 
 #include "eom/eom.h"
@@ -106,6 +107,7 @@ static void what_is_kept_stays(void **state) {
   double far[4] = {0.2, -0.9, 2.5, -0.5}; /* out of reach */
   const eom_status status = find(&f, far, qd, &e);
   assert_true(status == EOM_INCONSISTENT || status == EOM_NO_CONSISTENT_STATE);
+  assert_true(e.residual == 0 && e.most_qdd == -1); /* nothing was looked at */
   evaluation_stop(&f);
 }
 
@@ -117,6 +119,7 @@ static void nothing_holds(void **state) {
   eom_equilibrium e = {0};
   assert_int_equal(find(&f, q, qd, &e), EOM_NO_EQUILIBRIUM);
   assert_int_equal(f.sys->report.index, 0);
+  assert_true(f.sys->report.nrow == 0 && !f.sys->report.function);
   char text[1000];
   eom_report_text(&f.sys->report, text, sizeof text);
   assert_non_null(strstr(text, "coordinate 0 (counted from 0) still accelerates"));
@@ -130,6 +133,32 @@ static void a_turning_direction_accelerates(void **state) {
   double q[4] = {1, 1, 0, 0}, qd[4] = {0, 0, 1.3, 0};
   eom_equilibrium e = {0};
   assert_int_equal(find(&f, q, qd, &e), EOM_NO_EQUILIBRIUM);
+  evaluation_stop(&f);
+}
+
+static int one(const void *params) { return (void)params, 1; }
+static size_t frame(const void *params) { return (void)params, PEN_FRAME; }
+
+/* L = x'^2/2 - x + 2 sqrt(x). */
+static void well_lagrangian(tl_ctx *cx, tl_real *out, const tl_real *q, const tl_real *qd, const tl_real *t, const void *params) {
+  pen p = {cx, 0};
+  (void)t, (void)params;
+  jet rest = sub(&p, times(&p, 2, root(&p, q)), q);
+  pen_result(&p, out, add(&p, times(&p, 0.5, square(&p, qd)), rest));
+  pen_lift(&p);
+}
+
+static const eom_model well = {
+    .name = "well", .dof = one, .lagrangian = {.name = "well", .jet = well_lagrangian, .rows = one, .frame = frame}};
+
+/* At x = 1; the first step of Newton's method from 4 goes to -4, where there is no state. */
+static void steps_that_leave_the_domain_are_shortened(void **state) {
+  (void)state;
+  evaluation f = start(&well, NULL);
+  double q[1] = {4}, qd[1] = {0};
+  eom_equilibrium e = {0};
+  assert_int_equal(find(&f, q, qd, &e), EOM_OK);
+  assert_close(q[0], 1, 0, BALANCE);
   evaluation_stop(&f);
 }
 
@@ -157,6 +186,7 @@ int main(void) {
       cmocka_unit_test(what_is_kept_stays),
       cmocka_unit_test(nothing_holds),
       cmocka_unit_test(a_turning_direction_accelerates),
+      cmocka_unit_test(steps_that_leave_the_domain_are_shortened),
       cmocka_unit_test(bad_input),
   };
   return cmocka_run_group_tests_name("equilibrium", tests, NULL, NULL);

@@ -29,6 +29,7 @@ static evaluation start(const eom_model *model, eom_linalg_choice linalg, const 
 
 static int one(const void *params) { return (void)params, 1; }
 static int two(const void *params) { return (void)params, 2; }
+static int three(const void *params) { return (void)params, 3; }
 static size_t frame(const void *params) { return (void)params, PEN_FRAME; }
 
 /* L = x'^2/2 - 2 x^2 of q = (x, turn): the turn has no inertia. */
@@ -54,6 +55,42 @@ static void pins(tl_ctx *cx, tl_real *out, const tl_real *q, const tl_real *qd, 
   for (int i = 0; i < 2; i++) pen_result(&p, row(&p, out, i), plus(&p, at(&p, q, i), 5.5e-17));
   pen_lift(&p);
 }
+
+/* L = (x'^2 + y'^2 + z'^2)/2. */
+static void free_lagrangian(tl_ctx *cx, tl_real *out, const tl_real *q, const tl_real *qd, const tl_real *t, const void *params) {
+  pen p = {cx, 0};
+  (void)q, (void)t, (void)params;
+  jet flat = add(&p, square(&p, at(&p, qd, 0)), square(&p, at(&p, qd, 1)));
+  pen_result(&p, out, times(&p, 0.5, add(&p, flat, square(&p, at(&p, qd, 2)))));
+  pen_lift(&p);
+}
+
+/* z = x y twice, of quite different size. */
+static void saddle_rows(tl_ctx *cx, tl_real *out, const tl_real *q, const tl_real *qd, const tl_real *t, const void *params) {
+  pen p = {cx, 0};
+  (void)qd, (void)t, (void)params;
+  jet miss = sub(&p, at(&p, q, 2), mul(&p, at(&p, q, 0), at(&p, q, 1)));
+  for (int i = 0; i < 2; i++) pen_result(&p, row(&p, out, i), times(&p, i ? 1e6 : 1, miss));
+  pen_lift(&p);
+}
+
+/* y' = z x'. */
+static void contact(tl_ctx *cx, tl_real *out, const tl_real *q, const tl_real *qd, const tl_real *t, const void *params) {
+  pen p = {cx, 0};
+  (void)t, (void)params;
+  pen_result(&p, out, sub(&p, at(&p, qd, 1), mul(&p, at(&p, q, 2), at(&p, qd, 0))));
+  pen_lift(&p);
+}
+
+static const eom_function saddle_list[] = {{.name = "saddle", .jet = saddle_rows, .rows = two, .frame = frame}};
+static const eom_function contact_list[] = {{.name = "contact", .jet = contact, .rows = one, .frame = frame}};
+static const eom_model saddle_twice = {.name = "saddle_twice",
+                                       .dof = three,
+                                       .lagrangian = {.name = "free", .jet = free_lagrangian, .rows = one, .frame = frame},
+                                       .holonomic = saddle_list,
+                                       .nholonomic = 1,
+                                       .nonholonomic = contact_list,
+                                       .nnonholonomic = 1};
 
 static const eom_function wheel_list[] = {{.name = "wheel", .jet = wheel, .rows = one, .frame = frame}};
 static const eom_function pin_list[] = {{.name = "pins", .jet = pins, .rows = two, .frame = frame}};
@@ -173,6 +210,19 @@ static void the_basis_does_not_depend_on_who_computes_it(void **state) {
 }
 #endif
 
+/* A mass on a circle: x at the bottom, y at the side, x where both are as free to rounding. */
+static void coordinates_are_the_most_free(void **state) {
+  (void)state;
+  evaluation e = start(&cartesian_pendulum, EOM_LINALG_AUTO, NULL);
+  const double place[3][2] = {{0.6, -0.8}, {0.8, -0.6}, {0.7071067811865476, -0.7071067811865475}}, rest[2] = {0, 0};
+  const int free[3] = {0, 1, 0};
+  for (int i = 0; i < 3; i++) {
+    const eom_minimal m = linearise(&e, place[i], rest, 0);
+    assert_int_equal(m.coordinate[0], free[i]), assert_int_equal(m.coordinate[1], free[i]);
+  }
+  evaluation_stop(&e);
+}
+
 /* Coefficients but the first of the characteristic polynomial, by the traces of powers (Newton's identities). */
 static void characteristic(const eom_minimal *m, double *c) {
   double power[64] = {0}, next[64], trace[8];
@@ -246,6 +296,27 @@ static void positions_without_inertia(void **state) {
   evaluation_stop(&e);
 }
 
+static void repeated_rows_count_once_beside_others(void **state) {
+  (void)state;
+  evaluation e = evaluation_start(&saddle_twice, NULL, NULL, eom_minimal_bytes);
+  rng r = {5};
+  double q[3], qd[3];
+  while (!draw(&r, e.sys, q, qd, 0)) {
+  }
+  const eom_minimal m = linearise(&e, q, qd, 0);
+  assert_int_equal(e.sys->report.rank, 2);
+  assert_int_equal(m.nq, 2), assert_int_equal(m.nv, 1);
+  assert_inverse(&m), assert_ordered(&m);
+  for (int k = 0; k < m.d; k++) { /* of z = x y, its rate, and y' = z x', by hand */
+    double c[6];
+    for (int i = 0; i < 6; i++) c[i] = m.Z[i * m.d + k];
+    assert_close(c[2], c[0] * q[1] + q[0] * c[1], 0, BASIS_TOLERANCE);
+    assert_close(c[5], c[3] * q[1] + qd[0] * c[1] + c[0] * qd[1] + q[0] * c[4], 0, BASIS_TOLERANCE);
+    assert_close(c[4], c[2] * qd[0] + q[2] * c[3], 0, BASIS_TOLERANCE);
+  }
+  evaluation_stop(&e);
+}
+
 static void nothing_is_left_to_move(void **state) {
   (void)state;
   evaluation e = start(&pinned, EOM_LINALG_AUTO, NULL);
@@ -269,8 +340,12 @@ static void states_beside_the_constraints_are_refused(void **state) {
   char text[1000];
   eom_report_text(&f.sys->report, text, sizeof text);
   assert_non_null(strstr(text, "bowl[0] (model.c:20): not satisfied"));
-  q[2] -= 1e-3, qd[1] += 1e-3;
+  q[2] -= 1e-3;
+  const double off = 1e-3 / hypot(1, q[2]); /* of the steering alone: along the bowl, whose rate is (-x, -2 y, 1) qd */
+  qd[1] += off, qd[2] += 2 * q[1] * off;
   assert_int_equal(eom_linearise_minimal(f.sys, &m, q, qd, 0.5, f.memory, f.bytes), EOM_OFF_CONSTRAINTS);
+  assert_int_equal(f.sys->report.nrow, 1);
+  assert_string_equal(f.sys->report.row[0].name, "steering");
   assert_int_equal(eom_linearise_minimal(f.sys, &m, q, qd, 0.5, f.memory, f.bytes - 1), EOM_NO_MEMORY);
   qd[0] = (double)NAN;
   assert_int_equal(eom_linearise_minimal(f.sys, &m, q, qd, 0.5, f.memory, f.bytes), EOM_NOT_FINITE);
@@ -283,9 +358,11 @@ int main(void) {
 #ifdef EOM_HAVE_LAPACKE
       cmocka_unit_test(the_basis_does_not_depend_on_who_computes_it),
 #endif
+      cmocka_unit_test(coordinates_are_the_most_free),
       cmocka_unit_test(eigenvalues_do_not_depend_on_weights),
       cmocka_unit_test(repeated_rows_count_once),
       cmocka_unit_test(positions_without_inertia),
+      cmocka_unit_test(repeated_rows_count_once_beside_others),
       cmocka_unit_test(nothing_is_left_to_move),
       cmocka_unit_test(states_beside_the_constraints_are_refused),
   };

@@ -259,6 +259,8 @@ static void inputs_in_minimal_coordinates(void **state) {
   assert_int_equal(eom_parameter_derivatives(sys, qdd_p, lambda_p, q, qd, 0), EOM_OK);
   eom_minimal_inputs(&m, B, sys->motion->np, qdd_p);
   assert_int_equal(m.d, 4);
+  for (int k = 0; k < 4; k++)
+    assert_int_equal(m.coordinate[k], k % 2); /* cart, then the load's x: the first of those that move freely */
   for (int i = 0; i < 6; i++) {
     double sum = 0;
     for (int k = 0; k < 4; k++) sum += m.Z[i * 4 + k] * B[k];
@@ -274,7 +276,7 @@ static void modes_of_a_matrix(void **state) {
   eom_mode mode[2];
   double shape[8], *work = claim(eom_modes_work(2) * sizeof *work);
   const double damping = 0.3, w = 4, oscillator[4] = {0, 1, -w * w, -2 * damping * w}, block[4] = {3, 1, 0, 3};
-  const double broken[4] = {0, 1, (double)NAN, 0};
+  const double apart[4] = {-2, 0, 0, -3}, still[4] = {0, 1, 0, 0}, turning[4] = {0, 0.2, -0.2, 0}, broken[4] = {(double)NAN, 1, 0, 0};
   assert_int_equal(eom_modes(mode, shape, 2, oscillator, work), EOM_OK);
   for (int i = 0; i < 2; i++) {
     const double im = (i == 0 ? 1 : -1) * w * sqrt(1 - damping * damping);
@@ -286,6 +288,17 @@ static void modes_of_a_matrix(void **state) {
   }
   assert_int_equal(eom_modes(mode, NULL, 2, block, work), EOM_OK);
   assert_close(mode[0].re, 3, 1e-7, 0), assert_true(mode[0].condition > 1e7);
+  assert_int_equal(eom_modes(mode, shape, 2, apart, work), EOM_OK);
+  const double real[8] = {0, 1, 0, 0, 1, 0, 0, 0}; /* -3 before -2 */
+  assert_all_close(shape, real, 8, 0, 0);
+  for (int i = 0; i < 2; i++) assert_true(mode[i].re == i - 3 && mode[i].im == 0 && mode[i].damping == 1 && mode[i].frequency == 0);
+  assert_int_equal(eom_modes(mode, NULL, 2, still, work), EOM_OK);
+  assert_true(mode[0].re == 0 && mode[0].damping == 0);
+  assert_int_equal(eom_modes(mode, shape, 2, turning, work), EOM_OK);
+  assert_close(mode[0].im, 0.2, 1e-15, 0), assert_close(mode[1].im, -0.2, 1e-15, 0);
+  const double circle[8] = {1, 0, 0, 1, 1, 0, 0, -1}; /* (1, +-i) */
+  assert_all_close(shape, circle, 8, 0, 1e-15);
+  for (int i = 0; i < 2; i++) assert_close(mode[i].condition, 1, 1e-14, 0), assert_close(mode[i].damping, 0, 0, 1e-15);
   assert_int_equal(eom_modes(mode, shape, 2, broken, work), EOM_NOT_FINITE);
   free(work);
 }

@@ -3,6 +3,7 @@
 #include "conical_tl.h"
 #include "crane_tl.h"
 #include "disk_tl.h"
+#include "evaluation.h"
 #include "flyball.h"
 #include "flyball_tl.h"
 #include "hoop.h"
@@ -14,8 +15,6 @@
 #include "eom/eom.h"
 
 #include <math.h>
-#include <stdlib.h>
-#include <string.h>
 
 /* Places and rates of order 1 at which forces of order 10 balance. */
 #define STEADY 1e-12
@@ -27,15 +26,10 @@ static const double g = 9.81;
 
 static eom_equilibrium find(const eom_model *model, const void *params, double *q, double *qd, double t, const unsigned char *keep_q,
                             const unsigned char *keep_qd, eom_status expected) {
-  eom_system *sys;
-  assert_int_equal(eom_system_create(&sys, model, params, NULL), EOM_OK);
-  const size_t bytes = eom_equilibrium_bytes(sys);
-  void *memory = malloc(bytes);
-  assert_non_null(memory);
+  evaluation f = evaluation_start(model, params, NULL, eom_equilibrium_bytes);
   eom_equilibrium e = {.keep_q = keep_q, .keep_qd = keep_qd};
-  assert_int_equal(eom_find_equilibrium(sys, q, qd, t, &e, memory, bytes), expected);
-  free(memory);
-  eom_system_destroy(sys);
+  assert_int_equal(eom_find_equilibrium(f.sys, q, qd, t, &e, f.memory, f.bytes), expected);
+  evaluation_stop(&f);
   return e; /* all but its linear model */
 }
 
@@ -69,6 +63,28 @@ static void conical_pendulum(void **state) {
   const eom_equilibrium e = find(&conical_model, &p, x, v, 0, place, rates, EOM_OK);
   assert_close(v[1], sqrt(g / (p.length * cos(a))), STEADY, 0);
   assert_true(x[0] == p.length * sin(a) && e.most_qd == 1 && e.most_q == -1 && e.steps > 0);
+}
+
+/* Whatever the mass: places are found as well, and what is beside the constraint by a part of 1e-6 is refused, by 1e-10 not. */
+static void any_unit_of_mass(void **state) {
+  (void)state;
+  for (double mass = 1e-8; mass < 2e8; mass *= 1e4) {
+    const linear_model p = {.mass = mass, .length = 1.3, .gravity = g};
+    double q[3] = {0.9, 0.7, -0.9}, qd[3] = {0, 3.5, 0};
+    const eom_equilibrium e = find(&conical_model, &p, q, qd, 0, NULL, NULL, EOM_OK);
+    assert_close(-q[2] / p.length, g / (p.length * 3.5 * 3.5), STEADY, 0);
+    assert_true(e.steps < 12);
+    evaluation m = evaluation_start(&conical_model, &p, NULL, eom_minimal_bytes);
+    eom_minimal linear;
+    const double places[2][3] = {{q[0] * (1 + 1e-10), q[1], q[2]}, {q[0] * (1 + 1e-6), q[1], q[2]}};
+    const double rates[2][3] = {{1e-10, 3.5, 0}, {1e-6, 3.5, 0}};
+    for (int off = 0; off < 2; off++) {
+      const eom_status status = off ? EOM_OFF_CONSTRAINTS : EOM_OK;
+      assert_int_equal(eom_linearise_minimal(m.sys, &linear, places[off], qd, 0, m.memory, m.bytes), status);
+      assert_int_equal(eom_linearise_minimal(m.sys, &linear, q, rates[off], 0, m.memory, m.bytes), status);
+    }
+    evaluation_stop(&m);
+  }
 }
 
 /* At a given inclination and precession P the spin: M g l = P (I3 w3 - I1 P cos a). */
@@ -133,6 +149,19 @@ static void crane(void **state) {
   assert_close(q[1], q[0], STEADY, 0), assert_close(q[2], -p.length, STEADY, 0);
   p.push = 1;
   find(&crane_model, &p, q, qd, 0, NULL, NULL, EOM_NO_EQUILIBRIUM);
+  const unsigned char none[3] = {0, 0, 0};
+  double back[3] = {0.4, 0.4, -p.length}, rate[3] = {0.1, 0.1, 0};
+  find(&crane_model, &p, back, rate, 0, NULL, none, EOM_NO_EQUILIBRIUM);
+  assert_true(back[0] == 0.4 && back[1] == 0.4 && rate[0] == 0.1 && rate[1] == 0.1 && rate[2] == 0);
+  const unsigned char cart[3] = {1, 0, 0}, all[3] = {1, 1, 1};
+  double x[3] = {0.7, 0.9, -0.8}, rest[3] = {0.7, 0.7, -p.length};
+  p.push = 0;
+  find(&crane_model, &p, x, qd, 0, cart, NULL, EOM_OK);
+  assert_true(x[0] == 0.7), assert_close(x[1], 0.7, STEADY, 0);
+  p.push = 5, p.cart = 20; /* and held: what is left is what the push gives the cart */
+  const eom_equilibrium e = find(&crane_model, &p, rest, qd, 0, all, NULL, EOM_NO_EQUILIBRIUM);
+  assert_close(e.residual, p.push / p.cart, STEADY, 0), assert_int_equal(e.most_qdd, 0);
+  p.push = 1, p.cart = 2.5;
   p.damping = 0.5; /* then it reaches a speed; that of the mass beside it lifts the mass by its square only */
   const unsigned char rates[3] = {0, 0, 1};
   find(&crane_model, &p, q, qd, 0, NULL, rates, EOM_OK);
@@ -142,9 +171,10 @@ static void crane(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(rotating_hoop), cmocka_unit_test(conical_pendulum), cmocka_unit_test(precessing_top),
-      cmocka_unit_test(sleeping_top),  cmocka_unit_test(flyball_governor), cmocka_unit_test(circling_disk),
-      cmocka_unit_test(crane),
+      cmocka_unit_test(rotating_hoop),    cmocka_unit_test(conical_pendulum),
+      cmocka_unit_test(any_unit_of_mass), cmocka_unit_test(precessing_top),
+      cmocka_unit_test(sleeping_top),     cmocka_unit_test(flyball_governor),
+      cmocka_unit_test(circling_disk),    cmocka_unit_test(crane),
   };
   return cmocka_run_group_tests_name("steady", tests, NULL, NULL);
 }
