@@ -12,6 +12,9 @@ enum { PATH_SIZE = 4096 };
 /* Stands for zero on a logarithmic axis: less than any rounding error here. */
 static const double zero_mark = 1e-18;
 
+/* Between two points of a curve: closer ones cannot be told apart. */
+static const double point_ratio = 1.02;
+
 /* Errors above it are no solutions: they are left out. */
 static const double most_error = 1.0;
 
@@ -54,11 +57,11 @@ static void print_quoted(FILE *script, const char *text) {
 /* ---- time against error ---- */
 
 /* The runs of one curve as data, from coarse to fine, until one takes long or the user interrupts. Returns 0, or -1 where that was. */
-static int print_curve(FILE *script, const scene *s, const curve *c, int number) {
+static int print_curve(FILE *script, const scene *s, const curve *c, int number, bool quick) {
   bool interrupted = false, long_enough = false;
   fprintf(script, "$curve%d << EOD\n", number);
-  for (int i = 0; i < 12 && !interrupted && !long_enough; i++) {
-    run_request ask = {.scene = s, .method = c->method, .drift = DRIFT_PROJECTION};
+  for (int i = 0; i < (quick ? 3 : 12) && !interrupted && !long_enough; i++) {
+    run_request ask = {.scene = s, .duration = quick ? s->quick : s->duration, .method = c->method, .drift = DRIFT_PROJECTION};
     if (c->chosen)
       ask.tolerance = 1e-3 * pow(0.1, i);
     else
@@ -75,10 +78,10 @@ static int print_curve(FILE *script, const scene *s, const curve *c, int number)
   return interrupted ? -1 : 0;
 }
 
-static void plot_curves(FILE *script, const scene *s) {
+static void plot_curves(FILE *script, const scene *s, bool quick) {
   fprintf(script, "set title '%s: ", s->name);
   print_quoted(script, s->about);
-  fprintf(script, ", %g s'\n", s->duration);
+  fprintf(script, ", %g s'\n", quick ? s->quick : s->duration);
   fputs("set logscale xy\nset format '%.0e'\nset key outside right top samplen 3\n"
         "set xlabel 'time of computation / real time'\n",
         script);
@@ -90,14 +93,14 @@ static void plot_curves(FILE *script, const scene *s) {
   fputc('\n', script);
 }
 
-static int draw_speed(const char *folder, const scene *s) {
+static int draw_speed(const char *folder, const scene *s, bool quick) {
   char name[PATH_SIZE];
   gnuplot g;
   snprintf(name, sizeof name, "speed_%s", s->name);
   if (open_figure(&g, folder, name, 960, 540) != 0) return EXIT_FAILED;
   int stopped = 0;
-  for (int i = 0; i < CURVES && stopped == 0; i++) stopped = print_curve(g.script, s, &curves[i], i);
-  plot_curves(g.script, s);
+  for (int i = 0; i < CURVES && stopped == 0; i++) stopped = print_curve(g.script, s, &curves[i], i, quick);
+  plot_curves(g.script, s, quick);
   if (stopped != 0) {
     fclose(g.script);
     output_discard(&g.figure);
@@ -114,22 +117,26 @@ static const char *const drift_titles[] = {"none", "Baumgarte, α = β = 10/s", 
 enum { DRIFTS = sizeof drift_titles / sizeof drift_titles[0] };
 
 /* Data: t, and the largest |phi|, |phi_dot| and energy error so far. Returns whether the run came to its end. */
-static bool print_drift(FILE *script, int drift) {
+static bool print_drift(FILE *script, int drift, double duration) {
   run r;
   const run_request ask = {.scene = scene_find("A01"),
-                           .duration = drift_time,
+                           .duration = duration,
                            .method = "dp5",
                            .step = drift_step,
                            .drift = (run_drift)drift,
                            .rate = drift_rate};
   run_do(&r, &ask);
   fprintf(script, "$drift%d << EOD\n", drift);
-  double phi = zero_mark, phi_dot = zero_mark, energy = zero_mark;
+  run_row worst = {.phi = zero_mark, .phi_dot = zero_mark, .energy = zero_mark};
   for (int i = 1; i < r.nrow; i++) {
-    phi = fmax(phi, r.rows[i].phi);
-    phi_dot = fmax(phi_dot, r.rows[i].phi_dot);
-    energy = fmax(energy, r.rows[i].energy);
-    fprintf(script, "%.8g %.6g %.6g %.6g\n", r.rows[i].t, phi, phi_dot, energy);
+    const run_row *row = &r.rows[i];
+    const bool larger =
+        row->phi > worst.phi * point_ratio || row->phi_dot > worst.phi_dot * point_ratio || row->energy > worst.energy * point_ratio;
+    if (!larger && i + 1 < r.nrow) continue;
+    worst.phi = fmax(worst.phi, row->phi);
+    worst.phi_dot = fmax(worst.phi_dot, row->phi_dot);
+    worst.energy = fmax(worst.energy, row->energy);
+    fprintf(script, "%.8g %.6g %.6g %.6g\n", row->t, worst.phi, worst.phi_dot, worst.energy);
   }
   fputs("EOD\n", script);
   const bool done = r.status == EOM_OK;
@@ -137,13 +144,13 @@ static bool print_drift(FILE *script, int drift) {
   return done;
 }
 
-static void plot_drift(FILE *script) {
+static void plot_drift(FILE *script, double duration) {
   static const char *const labels[] = {"|φ|, m²", "|φ̇|, m²/s", "energy error, J"};
   fprintf(script,
           "set logscale y\nset format y '%%.0e'\nset xrange [0:%g]\nset lmargin 12\nset rmargin 4\n"
           "set multiplot layout 3,1 title 'A01: pendulum in Cartesian coordinates, dp5, steps of %g s; largest error so far'\n"
           "set key above horizontal left samplen 2\n",
-          drift_time, drift_step);
+          duration, drift_step);
   for (int k = 0; k < 3; k++) {
     fprintf(script, "set ylabel '%s'\n", labels[k]);
     if (k == 2) fputs("set xlabel 'time t, s'\n", script);
@@ -161,12 +168,12 @@ static void plot_drift(FILE *script) {
   fputs("unset multiplot\n", script);
 }
 
-static int draw_drift(const char *folder) {
+static int draw_drift(const char *folder, double duration) {
   gnuplot g;
   bool done = true;
   if (open_figure(&g, folder, "drift", 960, 900) != 0) return EXIT_FAILED;
-  for (int i = 0; i < DRIFTS && done; i++) done = print_drift(g.script, i);
-  plot_drift(g.script);
+  for (int i = 0; i < DRIFTS && done; i++) done = print_drift(g.script, i, duration);
+  plot_drift(g.script, duration);
   if (!done) {
     fclose(g.script);
     output_discard(&g.figure);
@@ -175,10 +182,10 @@ static int draw_drift(const char *folder) {
   return gnuplot_close(&g) == 0 ? EXIT_DONE : EXIT_FAILED;
 }
 
-int draw_figures(const char *folder) {
+int draw_figures(const char *folder, bool quick) {
   if (find_gnuplot() != 0) return EXIT_FAILED;
-  int status = draw_drift(folder);
+  int status = draw_drift(folder, quick ? scene_find("A01")->quick : drift_time);
   for (int i = 0; i < nscenes && status == EXIT_DONE; i++)
-    if (scenes[i]->coarsest > 0.0) status = draw_speed(folder, scenes[i]);
+    if (scenes[i]->coarsest > 0.0) status = draw_speed(folder, scenes[i], quick);
   return status;
 }

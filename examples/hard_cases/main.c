@@ -120,7 +120,7 @@ int main(int argc, char **argv) {
   if (c.figures != NULL && (names > 0 || c.all)) usage_error("--figures stands alone");
   if (c.figures != NULL) {
     watch_interrupts();
-    return draw_figures(c.figures);
+    return draw_figures(c.figures, c.quick);
   }
   if (names == 0 && !c.all) usage_error("name a scene, or take --all or --figures; --list names the scenes");
   if (names > 0 && c.all) usage_error("either --all or names of scenes");

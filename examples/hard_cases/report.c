@@ -14,9 +14,9 @@ void print_list(void) {
 
 void print_head(bool markdown) {
   if (markdown)
-    printf("| scene | what is hard | n | m | rank | method, step | measured | required | reached | energy, J: required | reached | "
-           "\\|φ\\| | "
-           "\\|φ̇\\| | time / real time | others |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
+    printf(
+        "| scene | what is hard | n | m | rank | measured | required | reached | energy, J: required | reached | \\|φ\\| or \\|ψ\\| | "
+        "method, step or tolerance | time / real time | others |\n|---|---|---|---|---|---|---|---|---|---|---|---|---|---|\n");
   else
     printf("%-12s %3s %3s %6s  %-10s %8s  %8s %8s  %8s %8s  %8s %8s  %9s\n", "scene", "n", "m", "rank", "method", "step, tol",
            "required", "error", "energy", "error, J", "|phi|", "|phi_dot|", "time/real");
@@ -33,21 +33,20 @@ static const char *rank_text(const run *r, char *text) {
 /* A bound or error in two digits; empty where there is none. */
 static const char *number(double x, bool there, char *text) {
   text[0] = '\0';
-  if (there) snprintf(text, TEXT_SIZE, "%.1e", x);
+  if (there) snprintf(text, TEXT_SIZE, "%.0e", x);
   return text;
 }
 
 /* The step, or the tolerance where steps are chosen by their error. */
 static double steps_of(const run *r) { return r->ask.step > 0.0 ? r->ask.step : r->ask.tolerance; }
 
-static void print_cells(const run *r, const char *rank, const char *energy, const char *energy_error, const char *phi,
-                        const char *phi_dot) {
+static void print_cells(const run *r, const char *rank, const char *energy, const char *energy_error, const char *phi) {
   const scene *s = r->ask.scene;
   char steps[TEXT_SIZE];
   snprintf(steps, sizeof steps, r->ask.step > 0.0 ? "%.2g s" : "%.0e", steps_of(r));
-  printf("| %s | %s | %d | %d | %s | %s, %s | %s | %.0e%s%s | %.1e | %s | %s | %s | %s | %.2g | %s |\n", s->name, s->about, r->n, r->m,
-         rank, r->ask.method, steps, s->measured, s->required, s->source != NULL ? ", " : "", s->source != NULL ? s->source : "",
-         r->worst.error, energy, energy_error, phi, phi_dot, r->seconds / r->duration, s->published != NULL ? s->published : "");
+  printf("| %s | %s | %d | %d | %s | %s, %g s | %.0e%s%s | %.0e | %s | %s | %s | %s, %s | %.1g | %s |\n", s->name, s->about, r->n, r->m,
+         rank, s->measured, r->duration, s->required, s->source != NULL ? ", " : "", s->source != NULL ? s->source : "", r->worst.error,
+         energy, energy_error, phi, r->ask.method, steps, r->seconds / r->duration, s->published != NULL ? s->published : "");
 }
 
 void print_run(const run *r, bool markdown) {
@@ -56,11 +55,11 @@ void print_run(const run *r, bool markdown) {
   const bool conserved = s->energy > 0.0;
   number(s->energy, conserved, energy);
   number(r->worst.energy, conserved, energy_error);
-  number(r->worst.phi, r->m > 0, phi);
+  number(r->worst.phi, r->m1 > 0, phi);
   number(r->worst.phi_dot, r->m > 0, phi_dot);
   rank_text(r, rank);
   if (markdown)
-    print_cells(r, rank, energy, energy_error, phi, phi_dot);
+    print_cells(r, rank, energy, energy_error, r->m1 > 0 ? phi : phi_dot);
   else
     printf("%-12s %3d %3d %6s  %-10s %8.2g  %8.0e %8.1e  %8s %8s  %8s %8s  %9.2g%s\n", s->name, r->n, r->m, rank, r->ask.method,
            steps_of(r), s->required, r->worst.error, energy, energy_error, phi, phi_dot, r->seconds / r->duration,

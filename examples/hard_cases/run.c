@@ -149,7 +149,7 @@ static eom_status go(run *r, course *c) {
   if (r->ask.drift == DRIFT_BAUMGARTE) options.baumgarte = (eom_baumgarte){.alpha = r->ask.rate, .beta = r->ask.rate};
   const eom_status status = eom_system_create(&c->sys, s->model, start.params, &options);
   if (status != EOM_OK) return status;
-  r->n = c->sys->n, r->m = c->sys->m;
+  r->n = c->sys->n, r->m1 = c->sys->m1, r->m = c->sys->m;
   r->rows = calloc((size_t)outputs + 1, sizeof *r->rows);
   return r->rows != NULL ? start_and_advance(c, &start, outputs) : EOM_NO_MEMORY;
 }

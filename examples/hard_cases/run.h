@@ -30,7 +30,7 @@ typedef struct run_row {
 
 typedef struct run {
   run_request ask;
-  int n, m;        /* coordinates, constraint rows */
+  int n, m1, m;    /* coordinates, rows of constraints on coordinates, of all constraints */
   double duration; /* s: what was asked for */
   run_row *rows;   /* of each output; freed by run_free */
   int nrow;
