@@ -12,6 +12,8 @@
 #include "four_bars2_tl.h"
 #include "four_bars_tl.h"
 #include "scene.h"
+#include "slider_crank.h"
+#include "slider_crank_tl.h"
 
 #include <math.h>
 
@@ -182,6 +184,59 @@ const scene scene_a04 = {.name = "A04",
                          .required = 1e-6,
                          .energy = 1e-3,
                          .published = "OpenSim 3.2 0.258 s"};
+
+/* ---- slider-crank with a rod as long as the crank, without forces: at the angle a of the crank the slider is at x = 2 l cos a, so
+ *   a'^2 (m_pin + 4 m_slider sin^2 a) l^2 = 2 T,  and the phase s(a) = integral of sqrt(m_pin + 4 m_slider sin^2 a) grows evenly. */
+
+static const slider_crank passing = {.crank = 1.0, .rod = 1.0, .pin_mass = 1.0, .slider_mass = 0.7};
+static const double passing_angle = 1.0 / 3.0, passing_rate = 1.0; /* rad, rad/s, at the start */
+
+static double phase_rate(double a) { return sqrt(passing.pin_mass + 4.0 * passing.slider_mass * sin(a) * sin(a)); }
+
+/* By Simpson's rule, wrong by less than rounding. */
+static double phase(double a) {
+  const int parts = 2000;
+  double sum = phase_rate(0.0) + phase_rate(a);
+  for (int i = 1; i < parts; i++) sum += (i % 2 == 1 ? 4.0 : 2.0) * phase_rate(a * i / parts);
+  return sum * a / parts / 3.0;
+}
+
+static void phase_on_circle(double s, double *value) {
+  const double turn = 2.0 * acos(-1.0), angle = turn * s / phase(turn);
+  value[0] = cos(angle), value[1] = sin(angle);
+}
+
+static void passing_begin(scene_start *s) {
+  const double sine = sin(passing_angle), cosine = cos(passing_angle);
+  s->params = &passing;
+  s->q[0] = passing.crank * cosine, s->q[1] = passing.crank * sine, s->q[2] = 2.0 * passing.crank * cosine;
+  for (int i = 0; i < 3; i++) s->qd[i] = passing_rate * (i == 1 ? s->q[0] : i == 0 ? -s->q[1] : -2.0 * s->q[1]);
+}
+
+static void passing_measure(const double *y, double *value) { phase_on_circle(phase(atan2(y[1], y[0])), value); }
+
+static void passing_truth(double t, double *value) {
+  phase_on_circle(phase(passing_angle) + phase_rate(passing_angle) * passing_rate * t, value);
+}
+
+const scene scene_dead_points = {.name = "dead_points",
+                                 .about =
+                                     "slider-crank whose slider passes the bearing: 2 freedoms there, and another motion branches off",
+                                 .model = &slider_crank_model,
+                                 .begin = passing_begin,
+                                 .duration = 20.0,
+                                 .quick = 5.0,
+                                 .outputs = 200,
+                                 .method = "dop853",
+                                 .tolerance = 1e-12,
+                                 .hold = true,
+                                 .measured = "phase of the motion, on a circle",
+                                 .values = 2,
+                                 .measure = passing_measure,
+                                 .truth = passing_truth,
+                                 .floor = 1.0,
+                                 .required = 1e-6,
+                                 .energy = 1e-8};
 
 /* ---- flyball governor: height of the slider, from a solution in quadruple precision whose digits agree at two tolerances. */
 

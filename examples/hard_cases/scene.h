@@ -48,10 +48,10 @@ typedef struct scene {
 
 /* By the files that define them; all of them in the order in which they are listed. */
 extern const scene scene_a01, scene_rod_thrice, scene_rod_scaled, scene_rod_mixed, scene_chain6, scene_chain16, scene_chain64,
-    scene_heavy_above, scene_heavy_below, scene_snap, scene_spring;                              /* pendulums.c */
-extern const scene scene_a02, scene_a02_2, scene_a03, scene_a04, scene_a05, scene_elastic_crank; /* mechanisms.c */
-extern const scene scene_disk, scene_knife, scene_sleigh, scene_snakeboard;                      /* rolling.c */
-extern const scene scene_top, scene_kepler;                                                      /* turning.c */
+    scene_heavy_above, scene_heavy_below, scene_snap, scene_spring;                                                 /* pendulums.c */
+extern const scene scene_a02, scene_a02_2, scene_a03, scene_a04, scene_a05, scene_elastic_crank, scene_dead_points; /* mechanisms.c */
+extern const scene scene_disk, scene_knife, scene_sleigh, scene_snakeboard;                                         /* rolling.c */
+extern const scene scene_top, scene_kepler;                                                                         /* turning.c */
 extern const scene *const scenes[];
 extern const int nscenes;
 
