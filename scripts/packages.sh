@@ -1,7 +1,7 @@
 # What the project needs from Debian 12 and how it gets there; sourced by the commands beside this file.
 
 build_packages=(cmake ninja-build gcc g++ pkg-config clang-19 llvm-19-dev libclang-19-dev liblapacke-dev libopenblas-dev
-  libcmocka-dev libmpfr-dev gnuplot-nox)
+  libsundials-dev libcmocka-dev libmpfr-dev gnuplot-nox)
 check_packages=(clang-format-19 dpkg-dev git make python3 strace python3-mpmath valgrind)
 
 # missing_packages NAME..: those that are not installed, one a line.

@@ -123,6 +123,7 @@ static eom_status constrained_by_motion(eom_system *sys, const tl_real *q, const
   const int code = sys->motion->constrained(sys->params, q, qd, t, sys->qdd, sys->lambda, sys->Qc, sys->workspace->motion_work);
   if (code == EOM_MOTION_PIVOT) return eom_solve_at(sys, q, qd, t);
   if (eom_solved_by_motion(sys, code, q, qd, t) != EOM_OK) return sys->report.status;
+  for (int i = 0; i < sys->n; i++) sys->Qc[i] += TL_C(0.0); /* 0 for -0, as in sums that begin with 0 */
   for (int r = 0; r < sys->m; r++) sys->row_kind[r] = EOM_ROW_INDEPENDENT;
   sys->report.rank = sys->m;
   sys->report.condition = sys->report.residual = TL_C(-1.0);
