@@ -38,20 +38,24 @@ static bool truth_at(const scene *s, double t, double *value) {
   return s->truth != NULL;
 }
 
+/* A NaN is larger than every number. */
+static double larger(double a, double b) { return b <= a || isnan(a) ? a : b; }
+
+/* NaN where there is no truth. */
 static double error_at(const scene *s, double t, const double *y) {
   double truth[SCENE_MOST_VALUES], value[SCENE_MOST_VALUES], worst = 0.0;
   if (!truth_at(s, t, truth)) return (double)NAN;
   s->measure(y, value);
   for (int i = 0; i < s->values; i++) {
     const double error = fabs(value[i] - truth[i]) / fmax(fabs(truth[i]), s->floor);
-    if (!(error <= worst)) worst = error; /* a NaN stays */
+    worst = larger(worst, isnan(error) ? HUGE_VAL : error);
   }
   return worst;
 }
 
 static double largest(const double *x, int count) {
   double most = 0.0;
-  for (int i = 0; i < count; i++) most = fmax(most, fabs(x[i]));
+  for (int i = 0; i < count; i++) most = larger(most, fabs(x[i]));
   return most;
 }
 
@@ -72,16 +76,16 @@ static eom_status observe(course *c) {
   if (status == EOM_OK) status = eom_solve(sys);
   if (status != EOM_OK) return status;
   row.phi = largest(sys->phi, sys->m1);
-  row.phi_dot = fmax(largest(sys->phi_dot, sys->m1), largest(sys->psi, sys->m2));
+  row.phi_dot = larger(largest(sys->phi_dot, sys->m1), largest(sys->psi, sys->m2));
   row.rank = sys->report.rank;
   if (r->nrow == 0) c->energy0 = balance(c, y), r->worst.rank = r->most_rank = row.rank;
   row.energy = fabs(balance(c, y) - c->energy0);
   r->rows[r->nrow++] = row;
   r->worst.t = t;
-  if (!(row.error <= r->worst.error) && !isnan(row.error)) r->worst.error = row.error;
-  r->worst.energy = fmax(r->worst.energy, row.energy);
-  r->worst.phi = fmax(r->worst.phi, row.phi);
-  r->worst.phi_dot = fmax(r->worst.phi_dot, row.phi_dot);
+  if (!isnan(row.error)) r->worst.error = larger(r->worst.error, row.error), r->compared += t > 0.0;
+  r->worst.energy = larger(r->worst.energy, row.energy);
+  r->worst.phi = larger(r->worst.phi, row.phi);
+  r->worst.phi_dot = larger(r->worst.phi_dot, row.phi_dot);
   note_rank(r, row.rank);
   return EOM_OK;
 }
@@ -102,8 +106,6 @@ static eom_status advance(course *c, int outputs) {
     c->r->seconds += now() - begin;
     if (status == EOM_OK) status = observe(c);
   }
-  c->r->steps = c->it.steps;
-  c->r->evaluations = c->it.evaluations;
   return status;
 }
 
@@ -167,7 +169,8 @@ void run_do(run *r, const run_request *ask) {
 
 bool run_passed(const run *r) {
   const scene *s = r->ask.scene;
-  return r->status == EOM_OK && r->worst.error <= s->required && (!(s->energy > 0.0) || r->worst.energy <= s->energy);
+  return r->status == EOM_OK && r->compared > 0 && r->worst.error <= s->required &&
+         (!(s->energy > 0.0) || r->worst.energy <= s->energy);
 }
 
 void run_free(run *r) {

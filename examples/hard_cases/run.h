@@ -34,10 +34,10 @@ typedef struct run {
   double duration; /* s: what was asked for */
   run_row *rows;   /* of each output; freed by run_free */
   int nrow;
+  int compared;  /* outputs after the start that have a truth */
   run_row worst; /* the largest of each, from t = 0 on; t: how far the run got; rank: the least */
   int most_rank;
-  long steps, evaluations; /* of the right-hand side */
-  double seconds;          /* of computation, without the outputs */
+  double seconds; /* of computation, without the outputs */
   eom_status status;
   eom_report report; /* of a status that is not OK */
 } run;
@@ -45,7 +45,7 @@ typedef struct run {
 /* Runs to the end, to a failure (status) or until the user interrupts (EOM_STOPPED). */
 void run_do(run *r, const run_request *ask);
 
-/* Whether the run got to its end with errors within the scene's bounds. */
+/* Whether the run got to its end, was compared with a truth on the way, and kept the scene's bounds. */
 bool run_passed(const run *r);
 
 void run_free(run *r);
