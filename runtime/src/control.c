@@ -15,44 +15,56 @@ enum { MOST_FAILURES = 25 /* in a row: 4^-25 is 1e-15 of the first attempt */ };
 static tl_real larger(tl_real a, tl_real b) { return a > b ? a : b; }
 static tl_real size(tl_real x) { return TL_LIBM(fabs)(x); }
 
-static tl_real scale_of(const eom_integrator *it, int i, const tl_real *y1) {
+/* One over the scales of the block of components that begins with i; for what fills it up too, whose estimates are zero. */
+static void inverse_scales(const eom_integrator *it, tl_real *restrict inverse, size_t i, const tl_real *y1) {
   const eom_step_control *c = &it->control;
-  const tl_real rtol = c->rtol_each ? c->rtol_each[i] : c->rtol, atol = c->atol_each ? c->atol_each[i] : c->atol;
-  return larger(atol + rtol * larger(size(it->y[i]), size(y1[i])), TL_MIN);
+  tl_real rtol[EOM_BLOCK], atol[EOM_BLOCK];
+  for (int b = 0; b < EOM_BLOCK; b++) rtol[b] = c->rtol, atol[b] = c->atol;
+  if (c->rtol_each || c->atol_each)
+    for (size_t b = 0; b < EOM_BLOCK && i + b < (size_t)it->dim; b++) {
+      if (c->rtol_each) rtol[b] = c->rtol_each[i + b];
+      if (c->atol_each) atol[b] = c->atol_each[i + b];
+    }
+  const tl_real *y = it->y + i;
+  for (int b = 0; b < EOM_BLOCK; b++)
+    inverse[b] = TL_C(1.0) / larger(atol[b] + rtol[b] * larger(size(y[b]), size(y1[i + (size_t)b])), TL_MIN);
 }
 
-/* sum_(j<=s) e_j k_j of component i. */
-static tl_real estimate(const eom_integrator *it, const tl_real *e, int i) {
-  const tl_real *k = it->slope + i;
-  tl_real sum = TL_C(0.0);
-  for (int j = 0; j <= it->method->stages; j++)
-    if (e[j] != TL_C(0.0)) sum += e[j] * k[(size_t)j * it->stride];
-  return sum;
+/* sum_i (E_i / scale_i)^2 of one row of estimates, without h. */
+static tl_real sum_squares(const eom_integrator *it, const tl_real *e) {
+  const int count = it->method->stages + 1, first = eom_first_weight(e, count);
+  tl_real squares[EOM_BLOCK] = {TL_C(0.0)};
+  for (size_t i = 0; i < it->stride; i += EOM_BLOCK) {
+    tl_real sum[EOM_BLOCK], inverse[EOM_BLOCK];
+    eom_sum_slopes(it, sum, i, e, first, count);
+    inverse_scales(it, inverse, i, it->trial);
+    for (int b = 0; b < EOM_BLOCK; b++) squares[b] += sum[b] * inverse[b] * (sum[b] * inverse[b]);
+  }
+  return (squares[0] + squares[1]) + (squares[2] + squares[3]);
 }
 
 /* The error of the trial step of h as in eom_step_control; with two estimates as in DOP853 of Hairer, Norsett, Wanner (section II.10).
  */
 static tl_real error_of(const eom_integrator *it, tl_real h) {
   const eom_method *m = it->method;
-  tl_real high = TL_C(0.0), low = TL_C(0.0);
-  for (int i = 0; i < it->dim; i++) {
-    const tl_real scale = scale_of(it, i, it->trial), e = estimate(it, m->error, i) / scale;
-    high += e * e;
-    if (m->error_rows == 1) continue;
-    const tl_real e_low = estimate(it, m->error + m->stages + 1, i) / scale;
-    low += e_low * e_low;
-  }
+  const tl_real high = sum_squares(it, m->error);
   if (high == TL_C(0.0)) return TL_C(0.0);
+  const tl_real low = m->error_rows == 1 ? TL_C(0.0) : sum_squares(it, m->error + m->stages + 1);
   const tl_real damped = m->error_rows == 1 ? TL_C(1.0) : high / (high + TL_C(0.01) * low);
   return size(h) * TL_LIBM(sqrt)(damped * high / (tl_real)it->dim);
 }
 
 static int worst_component(const eom_integrator *it) {
+  const int count = it->method->stages + 1;
   int worst = 0;
-  tl_real most = TL_C(-1.0);
+  tl_real most = TL_C(-1.0), sum[EOM_BLOCK], inverse[EOM_BLOCK];
   for (int i = 0; i < it->dim; i++) {
-    const tl_real e = size(estimate(it, it->method->error, i)) / scale_of(it, i, it->trial);
-    if (e > most) most = e, worst = i;
+    const int b = i % EOM_BLOCK;
+    if (b == 0) {
+      eom_sum_slopes(it, sum, (size_t)i, it->method->error, 1, count);
+      inverse_scales(it, inverse, (size_t)i, it->trial);
+    }
+    if (size(sum[b] * inverse[b]) > most) most = size(sum[b] * inverse[b]), worst = i;
   }
   return worst;
 }
@@ -88,9 +100,10 @@ static tl_real shrinking(const eom_integrator *it) {
 
 /* sqrt(1/dim sum (v_i / scale_i)^2). */
 static tl_real norm(const eom_integrator *it, const tl_real *v) {
-  tl_real sum = TL_C(0.0);
+  tl_real sum = TL_C(0.0), inverse[EOM_BLOCK];
   for (int i = 0; i < it->dim; i++) {
-    const tl_real e = v[i] / scale_of(it, i, it->y);
+    if (i % EOM_BLOCK == 0) inverse_scales(it, inverse, (size_t)i, it->y);
+    const tl_real e = v[i] * inverse[i % EOM_BLOCK];
     sum += e * e;
   }
   return TL_LIBM(sqrt)(sum / (tl_real)it->dim);

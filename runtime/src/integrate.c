@@ -6,9 +6,7 @@
 #include <assert.h>
 #include <string.h>
 
-enum { ALIGNED = 4 }; /* vectors are filled up with zeros to whole blocks of eom_combine */
-
-static size_t stride_of(int dim) { return ((size_t)dim + ALIGNED - 1) / ALIGNED * ALIGNED; }
+static size_t stride_of(int dim) { return ((size_t)dim + EOM_BLOCK - 1) / EOM_BLOCK * EOM_BLOCK; }
 
 /* y, y_before, the trial point, and the slopes with the one at the end of a step. */
 size_t eom_integrator_size(const eom_method *method, int dim) {

@@ -3,31 +3,21 @@
 
 #include <string.h>
 
-/* Numbers that are added up side by side: a compiler keeps them in vector registers. */
-enum { BLOCK = 4 };
-
-/* The sums are formed first, slope by slope for a few components at a time: y is rounded once. Where w_1, w_2, .. begin with zeros, as
- * in most rows of a table, these slopes are left out. */
+/* The sums are formed first, slope by slope for a block of components at a time: y is rounded once. */
 int eom_combine(const eom_integrator *it, tl_real *out, const tl_real *from, tl_real h, const tl_real *w, int count) {
-  const size_t stride = it->stride;
-  int first = 1;
-  while (first < count && w[first] == TL_C(0.0)) first++;
-  tl_real not_finite[BLOCK] = {TL_C(0.0)};
-  for (size_t i = 0; i < stride; i += BLOCK) {
-    const tl_real *k = it->slope + i;
-    tl_real sum[BLOCK];
-    for (int b = 0; b < BLOCK; b++) sum[b] = w[0] * k[b];
-    k += (size_t)first * stride;
-    for (int j = first; j < count; j++, k += stride)
-      for (int b = 0; b < BLOCK; b++) sum[b] += w[j] * k[b];
-    for (int b = 0; b < BLOCK; b++) {
+  const int first = eom_first_weight(w, count);
+  tl_real not_finite[EOM_BLOCK] = {TL_C(0.0)};
+  for (size_t i = 0; i < it->stride; i += EOM_BLOCK) {
+    tl_real sum[EOM_BLOCK];
+    eom_sum_slopes(it, sum, i, w, first, count);
+    for (int b = 0; b < EOM_BLOCK; b++) {
       const tl_real x = from[i + (size_t)b] + h * sum[b];
       out[i + (size_t)b] = x;
       not_finite[b] += x - x;
     }
   }
   tl_real sum = TL_C(0.0);
-  for (int b = 0; b < BLOCK; b++) sum += not_finite[b];
+  for (int b = 0; b < EOM_BLOCK; b++) sum += not_finite[b];
   return sum == TL_C(0.0);
 }
 

@@ -13,6 +13,28 @@ enum { INTERPOLATES_NOT, INTERPOLATES, INTERPOLATES_READY };
 /* Slope k_i: stride numbers, of which those from dim on are zero. */
 static inline tl_real *eom_slope(const eom_integrator *it, int i) { return it->slope + (size_t)i * it->stride; }
 
+/* Components that are computed side by side, in vector registers where there are: vectors are filled up with zeros to whole blocks. */
+enum { EOM_BLOCK = 4 };
+
+/* The first slope after k_0 with a weight: most rows of a table go on with zeros after their first weight, and none after that. */
+static inline int eom_first_weight(const tl_real *w, int count) {
+  int first = 1;
+  while (first < count && w[first] == TL_C(0.0)) first++;
+  return first;
+}
+
+/* sum = sum_(j<count) w_j k_j for the block of components that begins with i, with j = 0 and from first on. */
+static inline void eom_sum_slopes(const eom_integrator *it, tl_real *restrict sum, size_t i, const tl_real *w, int first, int count) {
+  const size_t stride = it->stride;
+  const tl_real *k = it->slope + i;
+  tl_real of[EOM_BLOCK];
+  for (int b = 0; b < EOM_BLOCK; b++) of[b] = w[0] * k[b];
+  k += (size_t)first * stride;
+  for (int j = first; j < count; j++, k += stride)
+    for (int b = 0; b < EOM_BLOCK; b++) of[b] += w[j] * k[b];
+  for (int b = 0; b < EOM_BLOCK; b++) sum[b] = of[b];
+}
+
 /* out = from + h sum_(j<count) w_j k_j; stride numbers each, out may be from. Returns 1 where all are finite. */
 int eom_combine(const eom_integrator *it, tl_real *out, const tl_real *from, tl_real h, const tl_real *w, int count);
 
