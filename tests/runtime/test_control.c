@@ -357,6 +357,27 @@ static void failures_of_trials_shorten_the_step(void **state) {
   }
 }
 
+/* A correction that holds for short steps only, as a projection from far away does. */
+static int near_only(void *user, double t, double *y) {
+  (void)user, (void)y;
+  static double before;
+  if (t - before > 0.01) return 9;
+  before = t;
+  return 0;
+}
+
+static void failures_of_corrections_shorten_the_step(void **state) {
+  (void)state;
+  const double y[4] = {1, 0, 0, 0};
+  eom_integrator it;
+  start(&it, &eom_dop853, oscillators, NULL, 4, y, &(eom_step_control){.rtol = 1e-6, .atol = 1e-6});
+  it.correct = near_only;
+  assert_int_equal(eom_integrate(&it, 1, NULL, NULL), EOM_OK);
+  assert_true(it.steps >= 100 && it.failed > 0);
+  assert_int_equal(it.rejected, 0);
+  assert_close(it.y[0], cos(1), 0, 1e-6);
+}
+
 static int growth(void *user, double t, const double *y, double *ydot) {
   const int code = decay(user, t, y, ydot);
   ydot[0] = -ydot[0];
@@ -395,6 +416,7 @@ int main(void) {
                                      cmocka_unit_test(stiffness_ends_in_work),
                                      cmocka_unit_test(explosions_are_located),
                                      cmocka_unit_test(failures_of_trials_shorten_the_step),
+                                     cmocka_unit_test(failures_of_corrections_shorten_the_step),
                                      cmocka_unit_test(failures_of_the_motion_are_reported)};
   return cmocka_run_group_tests_name("control", tests, NULL, NULL);
 }

@@ -44,6 +44,7 @@ static tl_real worst_inside(const eom_method *method, tl_real h) {
 /* Half the step divides the error inside it by 2^(r+1), up to the next order's share at the steps that double precision allows. */
 static void order_inside_a_step(void **state) {
   (void)state;
+  if (TL_MANT_DIG < 50) skip(); /* float: rounding hides what the higher orders leave */
   for (int k = 0; k < METHODS; k++) {
     const eom_method *m = methods[k];
     tl_real h = TL_LIBM(pow)(TL_EPSILON, (tl_real)0.4 / (tl_real)(m->dense_order + 1));
@@ -58,7 +59,7 @@ static void order_inside_a_step(void **state) {
 static int power(void *user, tl_real t, const tl_real *y, tl_real *ydot) {
   const int r = *(const int *)user;
   (void)y;
-  ydot[0] = r * TL_LIBM(pow)(t, (tl_real)(r - 1));
+  ydot[0] = (tl_real)r * TL_LIBM(pow)(t, (tl_real)(r - 1));
   return 0;
 }
 
@@ -74,7 +75,7 @@ static void exact_for_polynomials(void **state) {
     for (int steps = 1; steps <= 2; steps++) {
       assert_int_equal(eom_integrator_step(&it), EOM_OK);
       for (int part = 0; part <= 8; part++) {
-        const tl_real t = step * (steps - 1 + (tl_real)part / 8);
+        const tl_real t = step * ((tl_real)(8 * (steps - 1) + part) / 8);
         tl_real y;
         assert_int_equal(eom_integrator_at(&it, t, &y), EOM_OK);
         assert_close((double)(y - TL_LIBM(pow)(t, (tl_real)r)), 0, 0, rounding);
@@ -120,7 +121,7 @@ static void costs_once(void **state) {
       start(&it, m, swing, NULL, 2, y0, TL_C(0.125));
       for (int step = 1; step <= 4; step++) {
         assert_int_equal(eom_integrator_step(&it), EOM_OK);
-        for (int i = 1; looks && i < 4; i++) assert_int_equal(eom_integrator_at(&it, it.t - it.h * i / 4, y), EOM_OK);
+        for (int i = 1; looks && i < 4; i++) assert_int_equal(eom_integrator_at(&it, it.t - it.h * (tl_real)i / 4, y), EOM_OK);
         assert_int_equal(it.evaluations, 1 + step * (m->stages + looks * m->dense_stages));
       }
       for (int i = 0; i < 2; i++) end[looks][i] = it.y[i];

@@ -35,7 +35,7 @@ static void add_tree(forest *f, tree t) {
 /* All trees of so many nodes whose root has the branches of root and more, up to tree number `last`. */
 static void grow(forest *f, tree root, int missing, int last) {
   if (missing == 0) {
-    root.gamma *= root.nodes;
+    root.gamma *= (tl_real)root.nodes;
     add_tree(f, root);
     return;
   }
