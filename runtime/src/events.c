@@ -10,7 +10,7 @@ static const tl_real usual_tolerance = TL_C(4.0); /* units of the last place of 
 static const tl_real aside = TL_C(16.0);          /* tolerances from an event to where its function's next sign is taken */
 enum { USUAL_PARTS = 4 };
 
-/* The parts of work: g at the start and at the end of a part, g where it is tried, times of roots, and which event was the last. */
+/* The parts of work: g at the start and at the end of a part, g where it is tried, times of roots, and the events that cut the step. */
 enum { FROM, TO, TRIED, ROOT, FIRED, KINDS };
 
 static tl_real *of(const eom_events *ev, int kind) { return ev->work + (size_t)kind * (size_t)ev->count; }
@@ -49,7 +49,8 @@ static eom_status values_at(eom_integrator *it, tl_real t, tl_real *g) {
 /* g at the start of the step. Where it is zero, or its event has just been, a little later on the tangent. */
 static eom_status begin(eom_integrator *it) {
   eom_events *ev = it->events;
-  tl_real *g = of(ev, FROM), *later = of(ev, TRIED), *fired = of(ev, FIRED);
+  tl_real *g = of(ev, FROM), *later = of(ev, TRIED);
+  const tl_real *fired = of(ev, FIRED);
   eom_status status = values(it, it->t_before, it->before, g);
   const tl_real h = it->t_after - it->t_before;
   tl_real shift = TL_LIBM(copysign)(aside * tolerance_of(it), h), *y;
@@ -58,10 +59,9 @@ static eom_status begin(eom_integrator *it) {
   if (status != EOM_OK) return status;
   for (int i = 0; i < it->dim; i++) y[i] += shift * it->slope[i];
   status = values(it, it->t_before + shift, y, later);
-  for (int i = 0; i < ev->count; i++) {
-    if (g[i] == TL_C(0.0) || fired[i] != TL_C(0.0)) g[i] = later[i];
-    fired[i] = TL_C(0.0);
-  }
+  for (int i = 0; i < ev->count; i++)
+    if (g[i] == TL_C(0.0) || (ev->cut && fired[i] != TL_C(0.0))) g[i] = later[i];
+  ev->cut = 0;
   return status;
 }
 
@@ -128,7 +128,8 @@ static int first_root(const eom_integrator *it) {
  * their sign at its time is not known. */
 static eom_status handle(eom_integrator *it, eom_event_action *action) {
   eom_events *ev = it->events;
-  tl_real *root = of(ev, ROOT), *y;
+  tl_real *root = of(ev, ROOT), *fired = of(ev, FIRED), *y;
+  memset(fired, 0, (size_t)ev->count * sizeof(tl_real));
   for (int i = first_root(it); i >= 0; i = first_root(it)) {
     const tl_real t = root[i];
     eom_status status = eom_write_outputs(it, t);
@@ -141,14 +142,14 @@ static eom_status handle(eom_integrator *it, eom_event_action *action) {
       ev->found++;
       ev->last = i;
       root[i] = (tl_real)NAN;
-      of(ev, FIRED)[i] = TL_C(1.0);
+      fired[i] = TL_C(1.0);
       if (*action == EOM_EVENT_GO_ON) break;
     }
     if (*action == EOM_EVENT_GO_ON) continue;
     cut_step(it, t, y);
+    ev->cut = 1;
     return EOM_OK;
   }
-  memset(of(ev, FIRED), 0, (size_t)ev->count * sizeof(tl_real));
   return EOM_OK;
 }
 

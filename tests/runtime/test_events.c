@@ -37,6 +37,7 @@ static void start(run *r, const eom_method *method, eom_rhs_fn *rhs, double t, c
                   eom_root_fn *root) {
   static double work[MOST_WORK], event_work[8 * MOST_EVENTS];
   assert_true(eom_integrator_size(method, MOST_DIM) <= MOST_WORK && eom_events_size(count) <= 8 * MOST_EVENTS);
+  for (int i = 0; i < 8 * MOST_EVENTS; i++) event_work[i] = (double)NAN; /* as memory of the caller's may be */
   *r = (run){.events = {.count = count, .root = root, .handle = note, .user = r, .work = event_work}};
   eom_integrator_init(&r->it, method, rhs, r, MOST_DIM, t, y, 0, work);
   assert_int_equal(eom_integrator_control(&r->it, &(eom_step_control){.rtol = tol, .atol = tol}), EOM_OK);
@@ -121,6 +122,19 @@ static void times_to_the_tolerance(void **state) {
         assert_true((r.t[0] - r.level) * way >= 0);
         assert_close(r.t[0], r.level, 0, allowed);
       }
+}
+
+/* An event that is only a few tolerances behind the start is one: nothing was there before. */
+static void soon_after_the_start(void **state) {
+  (void)state;
+  const double y[2] = {1, 0};
+  run r;
+  start(&r, &eom_dop853, oscillator, 10, y, 1e-9, 1, of_time);
+  r.events.tolerance = 1e-6;
+  r.level = 10 + 5e-6;
+  assert_int_equal(eom_integrate(&r.it, 11, NULL, NULL), EOM_OK);
+  assert_int_equal(r.seen, 1);
+  assert_close(r.t[0], r.level, 0, 1e-6);
 }
 
 /* Directions are those of growing time, whichever way it is integrated: y0 = cos t falls at pi/2 and rises at 3 pi/2. */

@@ -39,7 +39,7 @@ typedef struct eom_events {
   tl_real *work;   /* eom_events_size(count) numbers */
   long found;      /* filled: events until now, */
   int last;        /* and the last one's number */
-  int known;       /* private: g in work is that at known_t */
+  int cut, known;  /* private: an event cut the last step; g in work is that at known_t */
   tl_real known_t; /* private */
 } eom_events;
 
