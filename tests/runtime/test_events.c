@@ -369,10 +369,11 @@ static void output_across_events(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {
-      cmocka_unit_test(every_zero_in_order), cmocka_unit_test(times_to_the_tolerance), cmocka_unit_test(directions),
-      cmocka_unit_test(several_in_a_step),   cmocka_unit_test(stops_and_goes_on),      cmocka_unit_test(bouncing_ball),
-      cmocka_unit_test(simultaneous_events), cmocka_unit_test(failures_of_roots),      cmocka_unit_test(output_at_given_times),
-      cmocka_unit_test(output_from_a_list),  cmocka_unit_test(output_across_events)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(every_zero_in_order),  cmocka_unit_test(times_to_the_tolerance),
+                                     cmocka_unit_test(soon_after_the_start), cmocka_unit_test(directions),
+                                     cmocka_unit_test(several_in_a_step),    cmocka_unit_test(stops_and_goes_on),
+                                     cmocka_unit_test(bouncing_ball),        cmocka_unit_test(simultaneous_events),
+                                     cmocka_unit_test(failures_of_roots),    cmocka_unit_test(output_at_given_times),
+                                     cmocka_unit_test(output_from_a_list),   cmocka_unit_test(output_across_events)};
   return cmocka_run_group_tests_name("events", tests, NULL, NULL);
 }
