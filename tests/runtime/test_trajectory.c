@@ -138,7 +138,7 @@ static void events_and_output_are_the_same_by_all(void **state) {
     eom_events events = {.count = 2, .root = angles, .handle = bounce, .user = &seen, .direction = falling, .work = work};
     eom_outputs outputs = {.write = write_angle, .user = &seen, .every = 0.1, .count = 5};
     assert_true(eom_events_size(2) <= 64);
-    eom_trajectory_options options = options_for(method, 1e-9);
+    eom_trajectory_options options = options_for(method, 1e-11);
     options.events = &events;
     options.outputs = &outputs;
     eom_trajectory *r;
