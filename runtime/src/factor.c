@@ -22,7 +22,8 @@
 /* Smallest pivot that is not rounding in a factorisation of order n. */
 static tl_real least_pivot(int n) { return TL_C(8.0) * (tl_real)n * TL_EPSILON; }
 
-/* A matrix that is indefinite along a direction the constraints forbid needs more than weights of its own size. */
+/* A matrix that is indefinite along a direction the constraints forbid needs more than weights of its own size. No weight is above
+ * this: the stronger A'WA, the fewer digits of M are left beside it, which no pivot shows. */
 #define EOM_STRONG_WEIGHT TL_C(4096.0)
 
 static tl_real largest(int n, const tl_real *x) {
@@ -119,10 +120,16 @@ static void automatic_weights(eom_system *sys, tl_real strength) {
   }
 }
 
+/* Those of the options, cut where they are too strong. */
+static void users_weights(eom_system *sys) {
+  eom_factor *f = &sys->workspace->factor;
+  automatic_weights(sys, EOM_STRONG_WEIGHT);
+  for (int k = 0; k < f->count; k++) f->W[f->row[k]] = TL_LIBM(fmin)(f->W[f->row[k]], sys->options.weights[f->row[k]]);
+}
+
 /* Finds a calM that is positive definite by the pivot test: the user's weights, or M alone, then weights of M's size, then stronger
  * ones. Returns its smallest pivot, or 0. */
 static tl_real choose_calM(eom_system *sys) {
-  eom_factor *f = &sys->workspace->factor;
   const tl_real none = least_pivot(sys->n);
   if (sys->m == 0) {
     const tl_real pivot = factor_mass(sys);
@@ -130,7 +137,7 @@ static tl_real choose_calM(eom_system *sys) {
   }
   clear_weights(sys);
   if (sys->options.weights) {
-    for (int k = 0; k < f->count; k++) f->W[f->row[k]] = sys->options.weights[f->row[k]];
+    users_weights(sys);
     const tl_real pivot = factor_calM(sys, true);
     if (pivot >= EOM_USABLE_PIVOT) return pivot;
   } else {
@@ -203,11 +210,13 @@ static void factor_rows(eom_system *sys) {
   for (int j = 0; j < count; j++) f->pivot[j] = f->row[f->pivot[j]];
 }
 
+tl_real eom_factor_pivot(const eom_system *sys, int j) { return TL_LIBM(fabs)(sys->workspace->factor.B[j * (sys->n + 1)]); }
+
 int eom_factor_rank(const eom_system *sys, tl_real tolerance) {
   const eom_factor *f = &sys->workspace->factor;
   const int n = sys->n, least = n < f->count ? n : f->count;
   int rank = 0;
-  while (rank < least && TL_LIBM(fabs)(f->B[rank * n + rank]) > tolerance) rank++;
+  while (rank < least && eom_factor_pivot(sys, rank) > tolerance) rank++;
   return rank;
 }
 

@@ -17,7 +17,10 @@ typedef struct eom_selection {
 /* Factors sys->M and the rows; fills rank, pivot, condition and weighted of the report. NO_INERTIA. */
 eom_status eom_factor_make(eom_system *sys, const eom_selection *rows);
 
-/* How many of the rows last factored have a pivot above the tolerance. */
+/* Pivot j of the rows last factored: what row j in the order of exchange adds to those before it, in parts of its length. */
+tl_real eom_factor_pivot(const eom_system *sys, int j);
+
+/* How many of them have a pivot above the tolerance. */
 int eom_factor_rank(const eom_system *sys, tl_real tolerance);
 
 /* One pass through the factors; eom_kkt_solve refines it. dq: n, dl: m, r1: n, r2: m; outputs may not be inputs. */

@@ -80,12 +80,13 @@ static eom_status find_step(eom_system *sys, const level *l, tl_real way) {
 }
 
 /* Names the rows that still miss by more than rounding, each miss as a length in the mass metric. Rows that are dropped are parallel to
- * others up to take; the state may be off by as much across them, and they then miss by the product. */
+ * others up to take; the state may have left the constraints across them by as much as the largest of them added, ahead. */
 static eom_status judge(eom_system *sys, const level *l) {
   const eom_workspace *ws = sys->workspace;
-  const tl_real take = sys->options.hold.take, given = sys->options.consistency_tolerance;
+  const eom_hold *hold = &sys->options.hold;
+  const tl_real given = sys->options.consistency_tolerance, most = hold->take * TL_LIBM(fmax)(hold->take, hold->ahead);
   const bool dropped = *l->rank >= 0 && *l->rank < l->count;
-  const tl_real tolerance = dropped ? TL_LIBM(fmax)(given, take * take) : given;
+  const tl_real tolerance = dropped ? TL_LIBM(fmax)(given, most) : given;
   for (int r = 0; r < l->count; r++) {
     if (TL_LIBM(fabs)(ws->miss[r]) * ws->factor.D[r] <= tolerance * l->size) continue;
     sys->report.status = EOM_INCONSISTENT;
@@ -132,11 +133,25 @@ static eom_status settle(eom_system *sys, level *l, bool hold, const tl_real *q,
   return judge(sys, l);
 }
 
+/* How many of the first rank rows are held: not those whose pivots fall so fast that the next step would pass zero. A step may be a
+ * quarter longer than the last. */
+static int look_ahead(const eom_system *sys, int rank) {
+  const tl_real *was = sys->workspace->held.pivot, longer = TL_C(1.25);
+  for (int j = 0; j < rank; j++) {
+    const tl_real pivot = eom_factor_pivot(sys, j);
+    if (pivot < sys->options.hold.ahead && pivot < longer * (was[j] - pivot)) return j;
+  }
+  return rank;
+}
+
 /* Holds the rows that came first in the last factorisation, that of all rows at the state projected. */
 static void hold_rows(eom_system *sys, int was) {
   eom_held *held = &sys->workspace->held;
   const eom_factor *f = &sys->workspace->factor;
+  const int least = sys->n < sys->m ? sys->n : sys->m;
+  if (was >= 0) held->rank = look_ahead(sys, held->rank);
   for (int j = 0; j < held->rank; j++) held->row[j] = f->pivot[j];
+  for (int j = 0; j < least; j++) held->pivot[j] = eom_factor_pivot(sys, j);
   if (was >= 0 && was != held->rank) sys->rank_changes++;
   sys->held_rank = held->rank;
   (void)eom_mark_rows(sys, held->rank);

@@ -17,7 +17,7 @@ eom_options eom_options_default(void) {
                        .linalg = EOM_LINALG_AUTO,
                        .emitter = EOM_EMITTER_AUTO,
                        .baumgarte = {TL_C(0.0), TL_C(0.0)},
-                       .hold = {.on = 0, .drop = drop, .take = TL_C(3.0) * drop},
+                       .hold = {.on = 0, .drop = drop, .take = TL_C(3.0) * drop, .ahead = TL_C(30.0) * drop},
                        .most_jump = TL_C(0.1)};
 }
 
@@ -97,6 +97,7 @@ static void take_private(eom_system *sys, eom_workspace *ws, eom_arena *a) {
   const size_t n = (size_t)sys->n, m = (size_t)sys->m;
   take_factor(&ws->factor, n, m, sys->motion && sys->motion->constant_mass, a);
   ws->held.row = eom_arena_take(a, m, sizeof(int));
+  ws->held.pivot = eom_arena_reals(a, m);
   ws->b_size = eom_arena_reals(a, m);
   ws->r1 = eom_arena_reals(a, n);
   ws->r2 = eom_arena_reals(a, m);
@@ -162,7 +163,9 @@ static bool plan_options(eom_system *sys, const eom_options *given) {
   if (!(o->consistency_tolerance >= TL_C(0.0) && o->consistency_tolerance < TL_C(1.0))) return false;
   if (!is_gain(o->baumgarte.alpha) || !is_gain(o->baumgarte.beta)) return false;
   if (eom_is_stabilised(sys) && o->needs & EOM_NEED_PARAMETERS) return false;
-  if (o->hold.on && !(o->rank_tolerance <= o->hold.drop && o->hold.drop <= o->hold.take && o->hold.take < TL_C(1.0))) return false;
+  if (o->hold.on &&
+      !(o->rank_tolerance <= o->hold.drop && o->hold.drop <= o->hold.take && o->hold.take < TL_C(1.0) && o->hold.ahead >= TL_C(0.0)))
+    return false;
   if (!(o->most_jump > TL_C(0.0))) return false;
   if (o->weights)
     for (int i = 0; i < sys->m; i++)

@@ -60,10 +60,11 @@ typedef struct eom_factor {
 
 /* The decision that eom_project made about the rows' rank, for the solves that follow. */
 typedef struct eom_held {
-  int rank_q;    /* of the holonomic rows, */
-  int rank;      /* and of all; -1: nothing is held */
-  int *row;      /* m: rank rows that are independent */
-  tl_real speed; /* the largest velocity of a projected state so far, coordinates scaled to unit inertia */
+  int rank_q;     /* of the holonomic rows, */
+  int rank;       /* and of all; -1: nothing is held */
+  int *row;       /* m: rank rows that are independent */
+  tl_real *pivot; /* m: all rows' pivots then */
+  tl_real speed;  /* the largest velocity of a projected state so far, coordinates scaled to unit inertia */
 } eom_held;
 
 #define EOM_LANES 8 /* right-hand sides that are solved for together: one vector register of the widest kind */

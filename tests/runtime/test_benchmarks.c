@@ -35,21 +35,21 @@ static int observe(void *user, const eom_integrator *it) {
 }
 
 /* The state at t_end, in y. */
-static outcome run(const eom_model *model, const void *params, double step, double t_end, double *y) {
+static outcome run(const eom_model *model, const void *params, const eom_method *method, double step, double t_end, double *y) {
   eom_options options = eom_options_default();
   options.needs = EOM_NEED_SIMULATE;
   options.hold.on = 1;
   options.linalg = EOM_LINALG_CORE; /* the same digits everywhere */
   eom_system *sys;
   assert_int_equal(eom_system_create(&sys, model, params, &options), EOM_OK);
-  double *work = malloc(eom_integrator_size(&eom_dp5, 2 * sys->n) * sizeof *work);
+  double *work = malloc(eom_integrator_size(method, 2 * sys->n) * sizeof *work);
   assert_non_null(work);
   assert_int_equal(eom_project(sys, y, y + sys->n, 0.0, NULL), EOM_OK);
   assert_int_equal(eom_energy(sys, y, y + sys->n, 0.0), EOM_OK);
   outcome done = {0};
   watch w = {sys, sys->energy, &done};
   eom_integrator it;
-  eom_integrator_init(&it, &eom_dp5, eom_rhs, sys, 2 * sys->n, 0.0, y, step, work);
+  eom_integrator_init(&it, method, eom_rhs, sys, 2 * sys->n, 0.0, y, step, work);
   if (sys->m > 0) it.correct = eom_project_state;
   assert_int_equal(eom_integrate(&it, t_end, observe, &w), EOM_OK);
   for (int i = 0; i < 2 * sys->n; i++) y[i] = it.y[i];
@@ -68,7 +68,7 @@ static void andrews_squeezing_mechanism(void **state) {
   const andrews p = andrews_parameters();
   double y[14];
   andrews_start(y, y + 7);
-  (void)run(&andrews_model, &p, 2.5e-6, 0.03, y);
+  (void)run(&andrews_model, &p, &eom_dp5, 2.5e-6, 0.03, y);
   for (int i = 0; i < 7; i++) assert_close(y[i], truth[i], 1e-10, 0.0);
 }
 
@@ -80,7 +80,7 @@ static void flyball_governor(void **state) {
   const flyball p = flyball_parameters();
   double y[8];
   flyball_start(y, y + 4);
-  (void)run(&flyball_model, &p, 4e-5, 1.0, y);
+  (void)run(&flyball_model, &p, &eom_dp5, 4e-5, 1.0, y);
   for (int i = 0; i < 8; i++) assert_close(y[i], truth[i], 1e-10, 0.0);
 }
 
@@ -89,36 +89,28 @@ static void flyball_governor(void **state) {
  * asks for 1e-3 and 0.1 J; here the bounds are the step's error. */
 static void four_bars_side_by_side(void **state) {
   (void)state;
+  static const double one[4] = {0.478385057760970855811, 0.8781501787912091394748, 1.727264075547154199978, -0.940952179371516708612};
+  static const double two[4] = {0.3284581115408156227259, 0.9445185381786008772842, 1.42305147020694462457, -0.494868845487043545517};
+  static const double forty[4] = {0.03446630730040719634815, 0.9994058603295629552805, 1.005951172814109396225,
+                                  -0.03469203416516179979766};
   static const struct {
     int loops;
-    double t, step, place, energy, truth[4];
-  } cases[] = {{1,
-                10,
-                0.005,
-                1e-6,
-                1e-6,
-                {0.478385057760970855811, 0.8781501787912091394748, 1.727264075547154199978, -0.940952179371516708612}},
-               {2,
-                10,
-                0.005,
-                1e-6,
-                1e-6,
-                {0.3284581115408156227259, 0.9445185381786008772842, 1.42305147020694462457, -0.494868845487043545517}},
-               {40,
-                2,
-                0.01,
-                1e-5,
-                1e-4,
-                {0.03446630730040719634815, 0.9994058603295629552805, 1.005951172814109396225, -0.03469203416516179979766}}};
+    const eom_method *method;
+    double t, step, place, energy;
+    const double *truth;
+  } cases[] = {{1, &eom_dp5, 10, 0.005, 1e-6, 1e-6, one},
+               {2, &eom_dp5, 10, 0.005, 1e-6, 1e-6, two},
+               {2, &eom_dop853, 10, 3.9e-4, 1e-6, 1e-6, two}, /* stages near the positions, with large coefficients */
+               {40, &eom_dp5, 2, 0.01, 1e-5, 1e-4, forty}};
   for (size_t k = 0; k < sizeof cases / sizeof cases[0]; k++) {
     const four_bars p = four_bars_parameters(cases[k].loops);
     double y[4 * (FOUR_BARS_MAX_LOOPS + 1)];
     four_bars_start(&p, y, y + p.coordinates);
-    const outcome done = run(&four_bars_model, &p, cases[k].step, cases[k].t, y);
+    const outcome done = run(&four_bars_model, &p, cases[k].method, cases[k].step, cases[k].t, y);
     const double *B = y, *v = y + p.coordinates;
-    print_message("N = %d, %g s: errors %.1e %.1e %.1e %.1e, energy %.1e J, rank changed %ld times\n", p.loops, cases[k].t,
-                  B[0] - cases[k].truth[0], B[1] - cases[k].truth[1], v[0] - cases[k].truth[2], v[1] - cases[k].truth[3], done.drift,
-                  done.changes);
+    print_message("N = %d, %s, %g s: errors %.1e %.1e %.1e %.1e, energy %.1e J, rank changed %ld times\n", p.loops,
+                  cases[k].method->name, cases[k].t, B[0] - cases[k].truth[0], B[1] - cases[k].truth[1], v[0] - cases[k].truth[2],
+                  v[1] - cases[k].truth[3], done.drift, done.changes);
     for (int i = 0; i < 2; i++) {
       assert_close(B[i], cases[k].truth[i], 0.0, cases[k].place);
       assert_close(v[i], cases[k].truth[2 + i], 0.0, 10 * cases[k].place);
@@ -137,7 +129,7 @@ static void bricard_mechanism(void **state) {
   const bricard p = bricard_parameters();
   double y[2 * BRICARD_COORDINATES];
   bricard_start(y, y + BRICARD_COORDINATES);
-  const outcome done = run(&bricard_model, &p, 0.01, 10.0, y);
+  const outcome done = run(&bricard_model, &p, &eom_dp5, 0.01, 10.0, y);
   print_message("P3 %.1e %.1e %.1e, energy %.1e J\n", y[6] - truth[0], y[7] - truth[1], y[8] - truth[2], done.drift);
   for (int i = 0; i < 3; i++) assert_close(y[6 + i], truth[i], 0.0, 1e-9);
   assert_true(done.drift <= 1e-8);

@@ -13,12 +13,18 @@
 #include <stdlib.h>
 #include <string.h>
 
-static eom_system *start(const eom_model *model, const void *params, int hold) {
+static eom_system *start_with(const eom_model *model, const void *params, eom_hold hold) {
   eom_options options = eom_options_default();
-  options.hold.on = hold;
+  options.hold = hold;
   eom_system *sys;
   assert_int_equal(eom_system_create(&sys, model, params, &options), EOM_OK);
   return sys;
+}
+
+static eom_system *start(const eom_model *model, const void *params, int on) {
+  eom_hold hold = eom_options_default().hold;
+  hold.on = on;
+  return start_with(model, params, hold);
 }
 
 /* The largest change of a velocity by a projection, and of the energy. */
@@ -114,30 +120,50 @@ static void dead_points_are_passed(void **state) {
   }
 }
 
-static void rank_has_hysteresis(void **state) {
-  (void)state;
+typedef struct decision {
+  double pivot; /* the smaller one, which is sqrt(5) a at pi/2 + a */
+  int rank;
+} decision;
+
+/* States one after another, as after steps. */
+static void assert_decisions(eom_hold hold, const decision *d, int count) {
   const slider_crank p = {.crank = 1, .rod = 1, .pin_mass = 1, .slider_mass = 1};
-  eom_system *sys = start(&slider_crank_model, &p, 1);
-  /* the smaller pivot at pi/2 + a is sqrt(5) a; tolerances are 1e-4 and 3e-4 */
-  static const double pivot[] = {1e-3, 2e-4, 0.5e-4, 2e-4, 1e-3, -2e-4, -0.5e-4, 0, 2e-4, -4e-4};
-  static const int rank[] = {2, 2, 1, 1, 2, 2, 1, 1, 1, 2};
+  eom_system *sys = start_with(&slider_crank_model, &p, hold);
   int events = 0;
   assert_int_equal(sys->held_rank, -1);
-  for (size_t k = 0; k < sizeof rank / sizeof rank[0]; k++) {
+  for (int k = 0; k < count; k++) {
     double y[6];
-    at_angle(&p, acos(-1) / 2 + pivot[k] / sqrt(5), y);
+    at_angle(&p, acos(-1) / 2 + d[k].pivot / sqrt(5), y);
     eom_projection step = {.after_step = k > 0};
     assert_int_equal(eom_project(sys, y, y + 3, 0, &step), EOM_OK);
-    events += k > 0 && rank[k] != rank[k - 1];
-    assert_int_equal(sys->held_rank, rank[k]);
-    assert_int_equal(sys->report.rank, rank[k]);
+    events += k > 0 && d[k].rank != d[k - 1].rank;
+    assert_int_equal(sys->held_rank, d[k].rank);
+    assert_int_equal(sys->report.rank, d[k].rank);
     assert_int_equal(sys->rank_changes, events);
-    assert_int_equal(sys->report.nrow, 2 - rank[k]);
-    if (rank[k] == 2) continue;
+    assert_int_equal(sys->report.nrow, 2 - d[k].rank);
+    if (d[k].rank == 2) continue;
     assert_string_equal(sys->report.row[0].name, "slider_crank_rods");
     assert_int_equal(sys->report.row[0].kind, EOM_ROW_DEPENDENT);
   }
   eom_system_destroy(sys);
+}
+
+static void rank_has_hysteresis(void **state) {
+  (void)state;
+  static const decision d[] = {{1e-3, 2},  {2e-4, 2},    {0.5e-4, 1}, {2e-4, 1}, {1e-3, 2},
+                               {-2e-4, 2}, {-0.5e-4, 1}, {0, 1},      {2e-4, 1}, {-4e-4, 2}};
+  assert_decisions((eom_hold){.on = 1, .drop = 1e-4, .take = 3e-4}, d, sizeof d / sizeof d[0]);
+}
+
+/* A row is dropped before the step that takes it through zero, and not where it falls too slowly for that, grows, or adds more than
+ * ahead. */
+static void rank_looks_ahead(void **state) {
+  (void)state;
+  static const decision d[] = {{9e-3, 2},  {4.9e-3, 1}, {1e-3, 1},  {-3e-3, 2}, {-8e-3, 2},
+                               {-7e-3, 2}, {-6e-3, 2},  {-2e-3, 1}, {2e-3, 2}};
+  assert_decisions((eom_hold){.on = 1, .drop = 1e-4, .take = 3e-4, .ahead = 1e-2}, d, sizeof d / sizeof d[0]);
+  static const decision far[] = {{4e-2, 2}, {1.5e-2, 2}, {-1e-2, 2}};
+  assert_decisions((eom_hold){.on = 1, .drop = 1e-4, .take = 3e-4, .ahead = 1e-2}, far, sizeof far / sizeof far[0]);
 }
 
 /* At a dead point: rows that are held there as two. */
@@ -251,19 +277,21 @@ static eom_status try_options(eom_hold hold, double most_jump) {
 
 static void impossible_options(void **state) {
   (void)state;
-  assert_int_equal(try_options((eom_hold){1, 1e-6, 1e-5}, HUGE_VAL), EOM_OK);
-  assert_int_equal(try_options((eom_hold){1, 1e-5, 1e-6}, 0.1), EOM_BAD_OPTION);
-  assert_int_equal(try_options((eom_hold){1, 1e-12, 1e-6}, 0.1), EOM_BAD_OPTION); /* below rank_tolerance */
-  assert_int_equal(try_options((eom_hold){1, 1e-5, 1}, 0.1), EOM_BAD_OPTION);
-  assert_int_equal(try_options((eom_hold){1, nan(""), 1e-3}, 0.1), EOM_BAD_OPTION);
-  assert_int_equal(try_options((eom_hold){0, 0, 0}, 0), EOM_BAD_OPTION);
-  assert_int_equal(try_options((eom_hold){0, 0, 0}, nan("")), EOM_BAD_OPTION);
+  assert_int_equal(try_options((eom_hold){1, 1e-6, 1e-5, 0}, HUGE_VAL), EOM_OK);
+  assert_int_equal(try_options((eom_hold){1, 1e-5, 1e-6, 0}, 0.1), EOM_BAD_OPTION);
+  assert_int_equal(try_options((eom_hold){1, 1e-12, 1e-6, 0}, 0.1), EOM_BAD_OPTION); /* below rank_tolerance */
+  assert_int_equal(try_options((eom_hold){1, 1e-5, 1, 0}, 0.1), EOM_BAD_OPTION);
+  assert_int_equal(try_options((eom_hold){1, nan(""), 1e-3, 0}, 0.1), EOM_BAD_OPTION);
+  assert_int_equal(try_options((eom_hold){1, 1e-6, 1e-5, nan("")}, 0.1), EOM_BAD_OPTION);
+  assert_int_equal(try_options((eom_hold){0, 0, 0, 0}, 0), EOM_BAD_OPTION);
+  assert_int_equal(try_options((eom_hold){0, 0, 0, 0}, nan("")), EOM_BAD_OPTION);
 }
 
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(dead_points_are_passed),
       cmocka_unit_test(rank_has_hysteresis),
+      cmocka_unit_test(rank_looks_ahead),
       cmocka_unit_test(a_rank_that_falls_in_between_is_reported),
       cmocka_unit_test(rows_that_are_dropped_are_left_out),
       cmocka_unit_test(a_linkage_passes_its_line),

@@ -77,13 +77,6 @@ static void same_for_weights(const mechanism *at, const eom_model *model, const 
 static void same_rearranged(const mechanism *at, const rearranged *r) {
   eom_function constraint;
   const eom_model model = rearranged_model(r, &constraint);
-  same_motion(at, &model, r, NULL);
-}
-
-/* The same for weights of rows that are as long as the model's. */
-static void same_rearranged_and_weighted(const mechanism *at, const rearranged *r) {
-  eom_function constraint;
-  const eom_model model = rearranged_model(r, &constraint);
   same_for_weights(at, &model, r, r->rows);
 }
 
@@ -97,10 +90,10 @@ static void same_however_written(const mechanism *at) {
     same_rearranged(at, &r);
   }
   for (int i = 0; i < at->m; i++) r.from[i] = at->m - 1 - i, r.scale[i] = 1.0; /* permuted */
-  same_rearranged_and_weighted(at, &r);
+  same_rearranged(at, &r);
   r.rows = 2 * at->m;
   for (int i = 0; i < r.rows; i++) r.from[i] = i / 2, r.scale[i] = 1.0; /* duplicated */
-  same_rearranged_and_weighted(at, &r);
+  same_rearranged(at, &r);
   for (int i = 0; i < r.rows; i++) r.from[i] = (7 * i + 3) % at->m, r.scale[i] = i % 3 == 0 ? -1e8 : i % 3 == 1 ? 1.0 : 1e-8; /* all */
   same_rearranged(at, &r);
 }

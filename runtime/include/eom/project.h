@@ -23,10 +23,11 @@ typedef struct eom_projection {
 /* Moves q until phi(q,t) = 0, then qd until phi_dot = 0 and psi(q,qd,t) = 0, to rounding: each Newton step is the shortest one in the
  * mass metric, delta' M delta, that satisfies the linearised rows. Dependent rows that agree are no difficulty. With options.hold, and
  * where nothing is kept, decides on the rank for the solves that follow: sys->held_rank and rank_changes; row_kind and report.row say
- * which rows are dropped, and these may miss by take^2. q, qd: n, changed in place, and as they were where the status is not EOM_OK.
- * projection may be null. Leaves the fields of assemble and of solve unspecified but for row_kind. INCONSISTENT where rows contradict
- * each other, or what is kept leaves no state that satisfies them (report.row: the rows that miss); NO_CONSISTENT_STATE where Newton's
- * method does not get there; VELOCITY_JUMP (report.index: the velocity that changed most); NO_INERTIA; errors of eom_assemble. */
+ * which rows are dropped, and these may miss by take times ahead. q, qd: n, changed in place, and as they were where the status is not
+ * EOM_OK. projection may be null. Leaves the fields of assemble and of solve unspecified but for row_kind. INCONSISTENT where rows
+ * contradict each other, or what is kept leaves no state that satisfies them (report.row: the rows that miss); NO_CONSISTENT_STATE
+ * where Newton's method does not get there; VELOCITY_JUMP (report.index: the velocity that changed most); NO_INERTIA; errors of
+ * eom_assemble. */
 eom_status eom_project(eom_system *sys, tl_real *q, tl_real *qd, tl_real t, eom_projection *projection);
 
 /* The same for y = (q,qd): 2n, after_step, as what an eom_integrator does; user is the eom_system. Returns an eom_status. */

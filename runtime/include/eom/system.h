@@ -63,13 +63,15 @@ typedef struct eom_hold {
   int on;             /* 1: as above; default 0: each solve decides for itself by rank_tolerance */
   tl_real drop, take; /* a row is dropped where what it adds to the others falls to drop, and taken back where it exceeds take, both as
                          for rank_tolerance <= drop <= take < 1; default 1e-4, 3e-4 */
+  tl_real ahead; /* a row that adds less than this is dropped too where it would add nothing after another step like the last, so that
+                    no stage comes near the singular position with it; default 3e-3 */
 } eom_hold;
 
 typedef struct eom_options {
   unsigned needs;         /* EOM_NEED_ bits; default EOM_NEED_LINEARISE */
   const tl_real *weights; /* W of eq 31: m positive numbers, copied by init; null (default): used only where M needs it, scaled to M.
-                             Accelerations and constraint forces do not depend on it. Weights that spoil calM are replaced by the
-                             automatic ones. */
+                             Accelerations and constraint forces do not depend on it. Weights are cut at 4096 times the automatic ones,
+                             beside which M loses digits; those that leave calM singular are replaced by the automatic ones. */
   tl_real rank_tolerance; /* a row is dependent where what it adds to the others is at most this part of its length, in the mass
                              metric; default 1e-10: between rounding (1e-15) and the condition of 1e7 that must still be resolved */
   tl_real consistency_tolerance; /* dependent rows are inconsistent where they ask for accelerations that differ by more than this
