@@ -133,13 +133,13 @@ static eom_status settle(eom_system *sys, level *l, bool hold, const tl_real *q,
   return judge(sys, l);
 }
 
-/* How many of the first rank rows are held: not those whose pivots fall so fast that the next step would pass zero. A step may be a
- * quarter longer than the last. */
+/* How many of the first rank rows are held: not those whose pivots fall so fast that the next step would pass zero, a step that may be
+ * a quarter longer than the last. Where one step takes a pivot further than ahead, a row would be missed for too long. */
 static int look_ahead(const eom_system *sys, int rank) {
-  const tl_real *was = sys->workspace->held.pivot, longer = TL_C(1.25);
+  const tl_real longer = TL_C(1.25);
   for (int j = 0; j < rank; j++) {
-    const tl_real pivot = eom_factor_pivot(sys, j);
-    if (pivot < sys->options.hold.ahead && pivot < longer * (was[j] - pivot)) return j;
+    const tl_real pivot = eom_factor_pivot(sys, j), fall = sys->workspace->held.pivot[j] - pivot;
+    if (fall < sys->options.hold.ahead && pivot < longer * fall) return j;
   }
   return rank;
 }

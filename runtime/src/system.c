@@ -17,7 +17,7 @@ eom_options eom_options_default(void) {
                        .linalg = EOM_LINALG_AUTO,
                        .emitter = EOM_EMITTER_AUTO,
                        .baumgarte = {TL_C(0.0), TL_C(0.0)},
-                       .hold = {.on = 0, .drop = drop, .take = TL_C(3.0) * drop, .ahead = TL_C(30.0) * drop},
+                       .hold = {.on = 0, .drop = drop, .take = TL_C(3.0) * drop, .ahead = TL_C(50.0) * drop},
                        .most_jump = TL_C(0.1)};
 }
 

@@ -155,7 +155,7 @@ static void rank_has_hysteresis(void **state) {
   assert_decisions((eom_hold){.on = 1, .drop = 1e-4, .take = 3e-4}, d, sizeof d / sizeof d[0]);
 }
 
-/* A row is dropped before the step that takes it through zero, and not where it falls too slowly for that, grows, or adds more than
+/* A row is dropped before the step that takes it through zero, and not where it falls too slowly for that, grows, or falls by more than
  * ahead. */
 static void rank_looks_ahead(void **state) {
   (void)state;

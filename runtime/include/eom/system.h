@@ -63,8 +63,8 @@ typedef struct eom_hold {
   int on;             /* 1: as above; default 0: each solve decides for itself by rank_tolerance */
   tl_real drop, take; /* a row is dropped where what it adds to the others falls to drop, and taken back where it exceeds take, both as
                          for rank_tolerance <= drop <= take < 1; default 1e-4, 3e-4 */
-  tl_real ahead; /* a row that adds less than this is dropped too where it would add nothing after another step like the last, so that
-                    no stage comes near the singular position with it; default 3e-3 */
+  tl_real ahead; /* a row is dropped too where what it adds fell by less than this in the last step and would be gone after another one
+                    like it, so that no stage comes near the singular position with it; default 5e-3 */
 } eom_hold;
 
 typedef struct eom_options {
