@@ -267,6 +267,8 @@ static bool options_are_valid(const eom_lyapunov_options *o) {
          o->every >= 1;
 }
 
+static const eom_method *method_of(const eom_lyapunov_options *o) { return o->method ? o->method : &eom_dp5; }
+
 /* Numbers of the integrated state. */
 static int state_size(const eom_system *sys, const eom_lyapunov_options *o) {
   const int d = 2 * sys->n;
@@ -277,7 +279,7 @@ static void lay_out(eom_lyapunov *ly, eom_lyapunov_work *w, eom_arena *a) {
   const int size = state_size(ly->sys, &ly->options);
   const size_t d = (size_t)ly->dim;
   ly->work = eom_arena_take(a, 1, sizeof(eom_lyapunov_work));
-  w->integrator = eom_arena_reals(a, eom_integrator_size(&eom_dp5, size));
+  w->integrator = eom_arena_reals(a, eom_integrator_size(method_of(&ly->options), size));
   w->before = eom_arena_reals(a, (size_t)size);
   w->G = eom_arena_reals(a, d * d);
   w->K = eom_arena_reals(a, d * d);
@@ -331,7 +333,8 @@ eom_status eom_lyapunov_init(eom_lyapunov *ly, eom_system *sys, const eom_lyapun
   memcpy(start, y, (size_t)d * sizeof(tl_real));
   for (int i = 0; i < d; i++) start[d + i * d + i] = TL_C(1.0);
   const bool discrete = ly->options.scheme == EOM_LYAPUNOV_DISCRETE;
-  eom_integrator_init(&ly->it, &eom_dp5, discrete ? rhs_discrete : rhs_continuous, ly, size, t, start, h, ly->work->integrator);
+  eom_integrator_init(&ly->it, method_of(&ly->options), discrete ? rhs_discrete : rhs_continuous, ly, size, t, start, h,
+                      ly->work->integrator);
   ly->y = ly->it.y;
   if (discrete)
     memcpy(ly->Q, start + d, (size_t)d * (size_t)d * sizeof(tl_real));

@@ -1,6 +1,6 @@
 /* The full spectrum of Lyapunov exponents of y = (q,qd) along a motion (eqs 72-81).
  *
- * All schemes integrate trajectory and tangents together with fixed-step Dormand-Prince 5. rho_i is the logarithm of the growth of the
+ * All schemes integrate trajectory and tangents together in steps of fixed length. rho_i is the logarithm of the growth of the
  * i-th orthogonal direction; the running exponents are lambda_i = rho_i/(t - t0), 1/s. */
 #ifndef EOM_LYAPUNOV_H
 #define EOM_LYAPUNOV_H
@@ -21,6 +21,7 @@ typedef enum eom_lyapunov_scheme {
 typedef struct eom_lyapunov_options {
   eom_lyapunov_scheme scheme; /* default EOM_LYAPUNOV_DISCRETE */
   int every;                  /* DISCRETE: steps from one QR to the next, >= 1; default 1 */
+  const eom_method *method;   /* null, the default: eom_dp5 */
 } eom_lyapunov_options;
 
 eom_lyapunov_options eom_lyapunov_options_default(void);
