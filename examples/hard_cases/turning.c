@@ -84,6 +84,9 @@ static void kepler_truth(double t, double *value) {
   value[3] = sine * rates[1] / rate;
 }
 
+/* Kinetic and potential energy at the pericentre are 200 times their sum, so rounding in some 50 steps of each of 160 passages changes
+ * the energy by 2e-12 of itself, which makes 1e-8 s after 1000 s; the direction turns at 1400 rad/s there. Asked for is ten times that.
+ */
 const scene scene_kepler = {.name = "kepler",
                             .about = "orbit of eccentricity 0.99 in (r, u): a factor of 200 in r, and M of rank 3 of 4",
                             .model = &central_field_model,
@@ -92,11 +95,11 @@ const scene scene_kepler = {.name = "kepler",
                             .quick = 20.0,
                             .outputs = 1000,
                             .method = "dop853",
-                            .tolerance = 1e-15,
+                            .tolerance = 1e-14,
                             .measured = "distance and direction",
                             .values = 4,
                             .measure = kepler_measure,
                             .truth = kepler_truth,
                             .floor = 1.0,
-                            .required = 1e-6,
+                            .required = 1e-4,
                             .energy = 1e-8};
