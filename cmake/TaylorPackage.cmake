@@ -63,4 +63,7 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 if(TAYLOR_HOST)
   set(CPACK_DEBIAN_PACKAGE_DEPENDS "liblapacke-dev, libopenblas-dev, pkg-config") # what a program with taylor::eom links
 endif()
+if(eom_sundials)
+  set(CPACK_DEBIAN_PACKAGE_RECOMMENDS libsundials-dev) # for taylor::trajectory
+endif()
 include(CPack)
