@@ -34,6 +34,9 @@ eom_status eom_mark_rows(eom_system *sys, int rank);
  * sys->lambda. */
 eom_status eom_linearised_terms(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t);
 
+/* sys->qdd_y = d(r - A' lambda)/dy and sys->lambda_y = d(A qdd - b)/dy at sys->qdd and sys->lambda, whatever these are. */
+eom_status eom_linearised_residual(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t);
+
 /* eom_linearise by the general solver: afterwards the assembled parts and the factors are those of the state. */
 eom_status eom_linearise_factored(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t);
 

@@ -171,10 +171,13 @@ eom_status eom_linearise(eom_system *sys, const tl_real *q, const tl_real *qd, t
   return code == EOM_MOTION_PIVOT ? eom_linearise_factored(sys, q, qd, t) : eom_solved_by_motion(sys, code, q, qd, t);
 }
 
+eom_status eom_linearised_residual(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  return (eom_by_motion(sys, EOM_TASK_LINEARISE) ? linearise_by_motion : linearise_by_calls)(sys, q, qd, t);
+}
+
 eom_status eom_linearise_factored(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
   if (eom_solve_at(sys, q, qd, t) != EOM_OK) return sys->report.status;
-  const bool by_motion = eom_by_motion(sys, EOM_TASK_LINEARISE);
-  if ((by_motion ? linearise_by_motion : linearise_by_calls)(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  if (eom_linearised_residual(sys, q, qd, t) != EOM_OK) return sys->report.status;
   const int n = sys->n;
   if (eom_stabilise_derivatives(sys, sys->lambda_y, 2 * n, NULL, q, qd, t) != EOM_OK) return sys->report.status;
   eom_solve_columns(sys, 2 * n, sys->qdd_y, sys->lambda_y);

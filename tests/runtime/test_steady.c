@@ -9,6 +9,9 @@
 #include "hoop.h"
 #include "hoop_tl.h"
 #include "linear_models.h"
+#include "pendulum.h"
+#include "pendulum_tl.h"
+#include "random.h"
 #include "sleeping_tl.h"
 #include "top_tl.h"
 
@@ -31,6 +34,22 @@ static eom_equilibrium find(const eom_model *model, const void *params, double *
   assert_int_equal(eom_find_equilibrium(f.sys, q, qd, t, &e, f.memory, f.bytes), expected);
   evaluation_stop(&f);
   return e; /* all but its linear model */
+}
+
+/* Any link up or down, from anywhere: though their accelerations depend on each other, only torques have to vanish. */
+static void chain(void **state) {
+  (void)state;
+  enum { LINKS = 6, TRIES = 50 };
+  struct pendulum p = {.n = LINKS, .g = g};
+  rng r = {1};
+  for (int i = 0; i < LINKS; i++) p.mass[i] = 1 + i, p.length[i] = 1.5 / (1 + i);
+  for (int k = 0; k < TRIES; k++) {
+    double q[LINKS], qd[LINKS] = {0};
+    for (int i = 0; i < LINKS; i++) q[i] = rng_uniform(&r, -3, 3);
+    const eom_equilibrium e = find(&pendulum_model, &p, q, qd, 0, NULL, NULL, EOM_OK);
+    for (int i = 0; i < LINKS; i++) assert_close(sin(q[i]), 0, 0, STEADY);
+    assert_true(e.steps < 25);
+  }
 }
 
 /* The bead rises to cos a = g/(r w^2), from either side; below w^2 = g/r the bottom is all there is. */
@@ -171,10 +190,15 @@ static void crane(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(rotating_hoop),    cmocka_unit_test(conical_pendulum),
-      cmocka_unit_test(any_unit_of_mass), cmocka_unit_test(precessing_top),
-      cmocka_unit_test(sleeping_top),     cmocka_unit_test(flyball_governor),
-      cmocka_unit_test(circling_disk),    cmocka_unit_test(crane),
+      cmocka_unit_test(chain),
+      cmocka_unit_test(rotating_hoop),
+      cmocka_unit_test(conical_pendulum),
+      cmocka_unit_test(any_unit_of_mass),
+      cmocka_unit_test(precessing_top),
+      cmocka_unit_test(sleeping_top),
+      cmocka_unit_test(flyball_governor),
+      cmocka_unit_test(circling_disk),
+      cmocka_unit_test(crane),
   };
   return cmocka_run_group_tests_name("steady", tests, NULL, NULL);
 }
