@@ -7,7 +7,7 @@
 #include <string.h>
 
 static const tl_real usual_tolerance = TL_C(4.0); /* units of the last place of t */
-static const tl_real aside = TL_C(16.0);          /* tolerances from an event to where its function's next sign is taken */
+static const tl_real aside = TL_C(16.0);          /* see next_sign */
 enum { USUAL_PARTS = 4 };
 
 /* The parts of work: g at the start and at the end of a part, g where it is tried, times of roots, and the events that cut the step. */
@@ -46,15 +46,21 @@ static eom_status values_at(eom_integrator *it, tl_real t, tl_real *g) {
   return status == EOM_OK ? values(it, t, t == it->t_after ? it->y : y, g) : status;
 }
 
+/* How far behind an event its function's next sign is taken: some tolerances, and so far that the sign is not one of rounding, which t
+ * alone cannot tell near zero. */
+static tl_real next_sign(const eom_integrator *it, tl_real h) {
+  const tl_real shift = larger(aside * tolerance_of(it), TL_LIBM(sqrt)(TL_EPSILON) / aside * size(h));
+  return shift < size(h) ? TL_LIBM(copysign)(shift, h) : h;
+}
+
 /* g at the start of the step. Where it is zero, or its event has just been, a little later on the tangent. */
 static eom_status begin(eom_integrator *it) {
   eom_events *ev = it->events;
   tl_real *g = of(ev, FROM), *later = of(ev, TRIED);
   const tl_real *fired = of(ev, FIRED);
   eom_status status = values(it, it->t_before, it->before, g);
-  const tl_real h = it->t_after - it->t_before;
-  tl_real shift = TL_LIBM(copysign)(aside * tolerance_of(it), h), *y;
-  if (size(shift) > size(h)) shift = h;
+  const tl_real shift = next_sign(it, it->t_after - it->t_before);
+  tl_real *y;
   if (status == EOM_OK) status = state_at(it, it->t_before, &y);
   if (status != EOM_OK) return status;
   for (int i = 0; i < it->dim; i++) y[i] += shift * it->slope[i];

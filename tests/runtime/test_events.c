@@ -1,5 +1,6 @@
 /* Events and output inside steps, against closed forms: times, order, directions, restarts, and states at given times. */
 #include "close.h"
+#include "random.h"
 
 #include "eom/events.h"
 
@@ -191,6 +192,63 @@ static void several_in_a_step(void **state) {
   }
 }
 
+/* Random sums of sines, as found by a scan of the closed form; handlers that let go on or begin anew at random. */
+enum { SINES = 4 };
+typedef struct sines {
+  run r; /* first: what the callbacks are given */
+  double a[SINES], w[SINES], p[SINES];
+} sines;
+
+static double sum_of_sines(const sines *s, double t, double y0) {
+  double sum = 0.3 * y0 - 0.1;
+  for (int i = 0; i < SINES; i++) sum += s->a[i] * sin(s->w[i] * t + s->p[i]);
+  return sum;
+}
+
+static int random_root(void *user, double t, const double *y, double *g) {
+  g[0] = sum_of_sines(user, t, y[0]);
+  return 0;
+}
+
+static eom_event_action at_random(void *user, int event, double t, double *y) {
+  note(user, event, t, y);
+  return (long)(t * 1e6) % 2 ? EOM_EVENT_CHANGED : EOM_EVENT_GO_ON;
+}
+
+static void random_functions(void **state) {
+  (void)state;
+  const int points = 4000;
+  rng random = {7};
+  int events = 0;
+  for (int tries = test_tries(150); tries > 0; tries--) {
+    const double y[2] = {1, 0}, end = 20 * rng_sign(&random);
+    sines s;
+    start(&s.r, methods[tries % METHODS], oscillator, 0, y, 1e-10, 1, random_root);
+    s.r.events.handle = at_random;
+    s.r.it.control.h_max = 0.5;
+    for (int i = 0; i < SINES; i++) {
+      s.a[i] = rng_uniform(&random, 0, 1);
+      s.w[i] = rng_uniform(&random, 0, 1.5);
+      s.p[i] = rng_uniform(&random, 0, 6);
+    }
+    assert_int_equal(eom_integrate(&s.r.it, end, NULL, NULL), EOM_OK);
+    int seen = 0;
+    double before = sum_of_sines(&s, 0, 1);
+    for (int i = 1; i <= points; i++) {
+      const double t = end * i / points, g = sum_of_sines(&s, t, cos(t));
+      if (before * g < 0) {
+        assert_true(seen < s.r.seen);
+        assert_close(s.r.t[seen++], t, 0, fabs(end) / points);
+      }
+      before = g;
+    }
+    assert_int_equal(seen, s.r.seen);
+    events += seen;
+  }
+  print_message("%d events of random functions\n", events);
+  assert_true(events > 3 * test_tries(150));
+}
+
 /* ---- what events do ---- */
 
 /* A null handler stops: at the event, not beyond it; going on does not stop there again. */
@@ -211,6 +269,28 @@ static void stops_and_goes_on(void **state) {
     assert_int_equal(eom_integrate(&r.it, 20, NULL, NULL), EOM_OK);
     assert_close(r.it.y[0], cos(20), 0, 1e-8);
   }
+}
+
+/* A root function that rounding makes uneven, far above the last place of times near zero: its event changes nothing but says so, and
+ * is not found again behind itself. */
+static int rounded(void *user, double t, const double *y, double *g) {
+  g[0] = (t - ((run *)user)->level) / 10 + 100 * (y[0] * y[0] + y[1] * y[1] - 1);
+  return 0;
+}
+
+static void no_second_event_from_rounding(void **state) {
+  (void)state;
+  for (int k = 0; k < METHODS; k++)
+    for (int i = 1; i <= 40; i++) {
+      const double y[2] = {1, 0}, way = i % 2 ? 1 : -1;
+      run r;
+      start(&r, methods[k], oscillator, 0, y, 1e-11, 1, rounded);
+      r.level = 0.0007 * i * way;
+      r.action = EOM_EVENT_CHANGED;
+      assert_int_equal(eom_integrate(&r.it, 0.5 * way, NULL, NULL), EOM_OK);
+      assert_int_equal(r.seen, 1);
+      assert_close(r.t[0], r.level, 0, 1e-5);
+    }
 }
 
 /* A ball that keeps half of its velocity: from height 1 under g = 8 it lands at 1/2 s, then after 1/2 s, 1/4 s, .. */
@@ -371,7 +451,8 @@ static void output_across_events(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(every_zero_in_order),  cmocka_unit_test(times_to_the_tolerance),
                                      cmocka_unit_test(soon_after_the_start), cmocka_unit_test(directions),
-                                     cmocka_unit_test(several_in_a_step),    cmocka_unit_test(stops_and_goes_on),
+                                     cmocka_unit_test(several_in_a_step),    cmocka_unit_test(random_functions),
+                                     cmocka_unit_test(stops_and_goes_on),    cmocka_unit_test(no_second_event_from_rounding),
                                      cmocka_unit_test(bouncing_ball),        cmocka_unit_test(simultaneous_events),
                                      cmocka_unit_test(failures_of_roots),    cmocka_unit_test(output_at_given_times),
                                      cmocka_unit_test(output_from_a_list),   cmocka_unit_test(output_across_events)};
