@@ -114,6 +114,7 @@ static eom_status descend(eom_system *sys, level *l, const tl_real *q, const tl_
     last = change;
     way = l->left;
   }
+  (void)judge(sys, l);
   return sys->report.status = EOM_NO_CONSISTENT_STATE;
 }
 

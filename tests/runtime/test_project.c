@@ -182,6 +182,19 @@ static void more_rows_than_coordinates(void **state) {
   eom_system_destroy(sys);
 }
 
+/* x^2 + y^2 + 1 = 0: no state anywhere. */
+static void a_constraint_without_solution_is_named(void **state) {
+  (void)state;
+  redundancy rows = {.rows = 1, .factor = {1}, .bend = {4}};
+  eom_system *sys = start(&redundant, &rows);
+  double q[2] = {0.9, -0.8}, qd[2] = {0.4, 0.3};
+  assert_int_equal(eom_project(sys, q, qd, 1, NULL), EOM_NO_CONSISTENT_STATE);
+  assert_int_equal(sys->report.nrow, 1);
+  assert_string_equal(sys->report.row[0].name, "circles");
+  assert_true(q[0] == 0.9 && q[1] == -0.8 && qd[0] == 0.4 && qd[1] == 0.3);
+  eom_system_destroy(sys);
+}
+
 typedef struct drift {
   eom_system *sys;
   double phi, phi_dot, energy, energy0;
@@ -228,6 +241,7 @@ int main(void) {
       cmocka_unit_test(agreeing_rows_are_no_difficulty_and_contradictions_are_named),
       cmocka_unit_test(bad_input_is_named),
       cmocka_unit_test(more_rows_than_coordinates),
+      cmocka_unit_test(a_constraint_without_solution_is_named),
       cmocka_unit_test(projected_steps_do_not_drift),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
