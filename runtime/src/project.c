@@ -135,12 +135,13 @@ static eom_status settle(eom_system *sys, level *l, bool hold, const tl_real *q,
 }
 
 /* How many of the first rank rows are held: not those whose pivots fall so fast that the next step would pass zero, a step that may be
- * a quarter longer than the last. Where one step takes a pivot further than ahead, a row would be missed for too long. */
+ * a quarter longer than the last. All of them or none: rows that are held in a position where others are dropped do as much harm as
+ * all. None where the step takes the first of them further than ahead, which would then be missed for too long. */
 static int look_ahead(const eom_system *sys, int rank) {
   const tl_real longer = TL_C(1.25);
   for (int j = 0; j < rank; j++) {
     const tl_real pivot = eom_factor_pivot(sys, j), fall = sys->workspace->held.pivot[j] - pivot;
-    if (fall < sys->options.hold.ahead && pivot < longer * fall) return j;
+    if (pivot < longer * fall) return fall < sys->options.hold.ahead ? j : rank;
   }
   return rank;
 }
