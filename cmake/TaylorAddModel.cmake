@@ -1,4 +1,4 @@
-# taylor_add_model(TARGET SOURCES file.. DOF n|member [LAGRANGIAN f] [MODEL name] [FORCE f] [HOLONOMIC f[:rows]..]
+# taylor_add_model(TARGET SOURCES file.. DOF n|member [LAGRANGIAN f] [MODEL name] [FORCE f] [DISSIPATION f] [HOLONOMIC f[:rows]..]
 #                  [NONHOLONOMIC f[:rows]..] [ARGS role=name..] [RECURSION f:depth..] [RULES f:rule..]
 #                  [NEEDS need..] [SIZES member=n..] [PARAMETERS member..] [FORM registers|rows|auto] [LANES]
 #                  [INCLUDE_DIRECTORIES dir..] [COMPILE_DEFINITIONS def..] [SELFTEST])
@@ -56,13 +56,13 @@ function(taylor_check_model target model)
 endfunction()
 
 function(taylor_add_model target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SELFTEST;LANES" "MODEL;DOF;LAGRANGIAN;FORCE;FORM"
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SELFTEST;LANES" "MODEL;DOF;LAGRANGIAN;FORCE;DISSIPATION;FORM"
     "NEEDS;SIZES;PARAMETERS;SOURCES;HOLONOMIC;NONHOLONOMIC;ARGS;RECURSION;RULES;INCLUDE_DIRECTORIES;COMPILE_DEFINITIONS")
   if(arg_UNPARSED_ARGUMENTS)
     list(JOIN arg_UNPARSED_ARGUMENTS " " unknown)
     taylor_model_error(${target} "unknown arguments: ${unknown}")
   endif()
-  foreach(key IN ITEMS MODEL DOF LAGRANGIAN FORCE FORM)
+  foreach(key IN ITEMS MODEL DOF LAGRANGIAN FORCE DISSIPATION FORM)
     if(key IN_LIST arg_KEYWORDS_MISSING_VALUES)
       taylor_model_error(${target} "${key} wants a value")
     endif()
@@ -73,7 +73,7 @@ function(taylor_add_model target)
   taylor_check_model(${target} "${arg_MODEL}")
 
   set(options --cmake --model ${arg_MODEL})
-  foreach(key IN ITEMS DOF LAGRANGIAN FORCE HOLONOMIC NONHOLONOMIC RECURSION)
+  foreach(key IN ITEMS DOF LAGRANGIAN FORCE DISSIPATION HOLONOMIC NONHOLONOMIC RECURSION)
     string(TOLOWER ${key} name)
     foreach(value IN LISTS arg_${key})
       list(APPEND options --${name} ${value})

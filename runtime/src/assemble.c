@@ -63,7 +63,17 @@ static eom_status assemble_mass(eom_system *sys, const tl_real *q, const tl_real
   return eom_check_finite(sys, "mass matrix", sys->M, sys->n * sys->n);
 }
 
-/* Q - M qdd = Gamma + [t_x] L - [s t_u] L along q + s qd + s^2/2 qdd, qd + s qdd, t + s. sum: n; qdd null: zero. */
+/* sum -= [t_u] D. */
+static eom_status add_dissipation(eom_system *sys, tl_real *sum, const tl_real *q, const tl_real *qd, tl_real t) {
+  const eom_workspace *ws = sys->workspace;
+  eom_stage_seed(sys, STAGE_DISSIPATION, q, qd, NULL, t);
+  if (eom_stage_run(sys, &sys->model->dissipation) != EOM_OK) return sys->report.status;
+  const tl_real *row = ws->jet_out + ws->stage[STAGE_DISSIPATION].shape->start[1];
+  for (int i = 0; i < sys->n; i++) sum[i] -= row[i];
+  return EOM_OK;
+}
+
+/* Q - M qdd = Gamma - [t_u] D + [t_x] L - [s t_u] L along q + s qd + s^2/2 qdd, qd + s qdd, t + s. sum: n; qdd null: zero. */
 static eom_status unbalanced_force(eom_system *sys, tl_real *sum, const tl_real *q, const tl_real *qd, const tl_real *qdd, tl_real t) {
   eom_workspace *ws = sys->workspace;
   const int n = sys->n;
@@ -76,6 +86,7 @@ static eom_status unbalanced_force(eom_system *sys, tl_real *sum, const tl_real 
     if (eom_stage_run(sys, &sys->model->force) != EOM_OK) return sys->report.status;
     for (int i = 0; i < n; i++) sum[i] += ws->jet_out[i];
   }
+  if (sys->model->dissipation.jet && add_dissipation(sys, sum, q, qd, t) != EOM_OK) return sys->report.status;
   return eom_check_finite(sys, "generalized force", sum, n);
 }
 

@@ -112,6 +112,7 @@ static eom_status locate(eom_system *sys, const tl_real *q, const tl_real *qd, t
   for (int i = 0; i < sys->n; i++) ws->jet_q[i * ncoef + 1] = ws->jet_qd[i * ncoef + 1] = TL_C(1.0);
   if (run_all(sys, &model->lagrangian, 1) != EOM_OK) return sys->report.status;
   if (model->force.jet && run_all(sys, &model->force, 1) != EOM_OK) return sys->report.status;
+  if (model->dissipation.jet && run_all(sys, &model->dissipation, 1) != EOM_OK) return sys->report.status;
   if (run_all(sys, model->holonomic, model->nholonomic) != EOM_OK) return sys->report.status;
   return run_all(sys, model->nonholonomic, model->nnonholonomic);
 }

@@ -1,10 +1,10 @@
 /* Exact linearisation of constrained motion, by motion functions or from jets.
  *
- * With r(q,qd,qdd,t) = d/dt dL/dqd - dL/dq - Gamma = M qdd - Q the motion satisfies r = A' lambda and phi'' = 0, psi' = 0, so
+ * With r(q,qd,qdd,t) = d/dt dL/dqd - dL/dq + dD/dqd - Gamma = M qdd - Q the motion satisfies r = A' lambda and phi'' = 0, psi' = 0, so
  *   M dqdd - A' dlambda = -dr/dy dy + d(A' lambda)/dy dy,   A dqdd = -d(phi'', psi')/dy dy,
  * every derivative taken at the solved qdd and lambda. With x and u the tangents on q and qd (constant in s):
- *   dr_i/dx_j = [s u_i x_j] L - [x_i x_j] L - dGamma_i/dx_j
- *   dr_i/du_j = [s u_i u_j] L + [u_i x_j] L - [x_i u_j] L - dGamma_i/du_j
+ *   dr_i/dx_j = [s u_i x_j] L - [x_i x_j] L + [u_i x_j] D - dGamma_i/dx_j
+ *   dr_i/du_j = [s u_i u_j] L + [u_i x_j] L - [x_i u_j] L + [u_i u_j] D - dGamma_i/du_j
  *   dphi''/dx_j = 2 [s2 x_j] phi,  dphi''/du_j = 2 [s x_j] phi,  d(A'lambda)_i/dx_j = sum_r lambda_r [x_i x_j] phi_r
  *   dpsi'/dx_j = [s x_j] psi,  dpsi'/du_j = [s u_j] psi + [x_j] psi,  d(A'lambda)_i/dy_j = sum_r lambda_r [u_i y_j] psi_r
  * where brackets mean derivatives in the tangents and coefficients in s. */
@@ -92,6 +92,18 @@ static eom_status linearise_force(eom_system *sys, const tl_real *q, const tl_re
   return EOM_OK;
 }
 
+/* rhs1 -= d2D/dqd dy. */
+static eom_status linearise_dissipation(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  const eom_workspace *ws = sys->workspace;
+  const int n = sys->n;
+  eom_stage_seed(sys, STAGE_DISSIPATION_LINEARISE, q, qd, NULL, t);
+  if (eom_stage_run(sys, &sys->model->dissipation) != EOM_OK) return sys->report.status;
+  const second_order h = second_order_at(ws->stage[STAGE_DISSIPATION_LINEARISE].shape, ws->jet_out, 0);
+  for (int j = 0; j < 2 * n; j++)
+    for (int i = 0; i < n; i++) ws->rhs1[j * n + i] -= derivative(h, n + i, j);
+  return EOM_OK;
+}
+
 /* rhs2 = -dphi''/dy. */
 static eom_status linearise_holonomic(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
   const eom_workspace *ws = sys->workspace;
@@ -135,6 +147,7 @@ static eom_status linearise_constraint_force(eom_system *sys, const tl_real *q, 
 eom_status eom_linearised_terms(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
   if (linearise_motion(sys, q, qd, t) != EOM_OK) return sys->report.status;
   if (sys->model->force.jet && linearise_force(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  if (sys->model->dissipation.jet && linearise_dissipation(sys, q, qd, t) != EOM_OK) return sys->report.status;
   if (sys->m1 > 0 && linearise_holonomic(sys, q, qd, t) != EOM_OK) return sys->report.status;
   return sys->m1 > 0 ? linearise_constraint_force(sys, q, qd, t) : EOM_OK;
 }

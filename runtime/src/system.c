@@ -142,9 +142,10 @@ static bool plan_sizes(eom_system *sys, const eom_model *model, const void *para
   sys->params = params;
   sys->n = model->dof(params);
   if (sys->n <= 0) return false;
-  const eom_function *l = &model->lagrangian, *force = &model->force;
+  const eom_function *l = &model->lagrangian, *force = &model->force, *dissipation = &model->dissipation;
   if (!function_is_complete(l) || l->rows(params) != 1) return false;
   if (force->jet && (!function_is_complete(force) || force->rows(params) != sys->n)) return false;
+  if (dissipation->jet && (!function_is_complete(dissipation) || dissipation->rows(params) != 1)) return false;
   sys->m1 = count_rows(model->holonomic, model->nholonomic, params);
   sys->m2 = count_rows(model->nonholonomic, model->nnonholonomic, params);
   if (model->nmotion < 0 || (model->nmotion > 0 && !model->motion)) return false;
@@ -209,15 +210,24 @@ static void admit_all(eom_stage *stage, const eom_function *list, int count, con
   for (int i = 0; i < count; i++) admit(&stage[0], &list[i], params);
 }
 
-static void plan_lagrangian(const eom_system *sys, eom_workspace *ws, eom_stage_id id, tl_spec spec, int first_q, int first_qd) {
+/* A stage for a function of which the model has one or none. */
+static void plan_function(const eom_system *sys, eom_workspace *ws, const eom_function *f, eom_stage_id id, tl_spec spec, int first_q,
+                          int first_qd) {
+  if (!f->jet) return;
   use_stage(ws, id, spec, first_q, first_qd);
-  admit(&ws->stage[id], &sys->model->lagrangian, sys->params);
+  admit(&ws->stage[id], f, sys->params);
+}
+
+static void plan_lagrangian(const eom_system *sys, eom_workspace *ws, eom_stage_id id, tl_spec spec, int first_q, int first_qd) {
+  plan_function(sys, ws, &sys->model->lagrangian, id, spec, first_q, first_qd);
 }
 
 static void plan_force(const eom_system *sys, eom_workspace *ws, eom_stage_id id, tl_spec spec, int first_q, int first_qd) {
-  if (!sys->model->force.jet) return;
-  use_stage(ws, id, spec, first_q, first_qd);
-  admit(&ws->stage[id], &sys->model->force, sys->params);
+  plan_function(sys, ws, &sys->model->force, id, spec, first_q, first_qd);
+}
+
+static void plan_dissipation(const eom_system *sys, eom_workspace *ws, eom_stage_id id, tl_spec spec, int first_q, int first_qd) {
+  plan_function(sys, ws, &sys->model->dissipation, id, spec, first_q, first_qd);
 }
 
 static void plan_holonomic(const eom_system *sys, eom_workspace *ws, eom_stage_id id, tl_spec spec) {
@@ -247,10 +257,12 @@ static void plan_stages(const eom_system *sys, eom_workspace *ws) {
   if (ws->emitter[EOM_TASK_ASSEMBLE] == EOM_EMITTER_CALLS || ws->emitter[EOM_TASK_RESIDUAL] == EOM_EMITTER_CALLS) {
     plan_lagrangian(sys, ws, STAGE_FORCE, tl_motion(1, 2 * n), 0, n);
     plan_force(sys, ws, STAGE_GAMMA, tl_univariate(0), -1, -1);
+    plan_dissipation(sys, ws, STAGE_DISSIPATION, tl_jacobian(n), -1, 0);
   }
   if (sys->motion) {
     plan_lagrangian(sys, ws, STAGE_LOCATE, tl_univariate(2), -1, -1);
     plan_force(sys, ws, STAGE_LOCATE, tl_univariate(2), -1, -1);
+    plan_dissipation(sys, ws, STAGE_LOCATE, tl_univariate(2), -1, -1);
     admit_all(&ws->stage[STAGE_LOCATE], sys->model->holonomic, sys->model->nholonomic, sys->params);
     admit_all(&ws->stage[STAGE_LOCATE], sys->model->nonholonomic, sys->model->nnonholonomic, sys->params);
   }
@@ -258,6 +270,7 @@ static void plan_stages(const eom_system *sys, eom_workspace *ws) {
   plan_lagrangian(sys, ws, STAGE_LINEARISE, (tl_spec){.curve = 1, .nvar = 2 * n, .order = 2}, 0, n);
   admit_all(&ws->stage[STAGE_LINEARISE], sys->model->nonholonomic, sys->model->nnonholonomic, sys->params);
   plan_force(sys, ws, STAGE_GAMMA_LINEARISE, tl_jacobian(2 * n), 0, n);
+  plan_dissipation(sys, ws, STAGE_DISSIPATION_LINEARISE, tl_hessian(2 * n), 0, n);
   plan_holonomic(sys, ws, STAGE_CURVATURE, tl_hessian(n));
 }
 

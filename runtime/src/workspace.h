@@ -9,17 +9,19 @@
 
 /* A kind of evaluation: a shape, the tangents that the seeds carry, and the memory its context takes. */
 typedef enum eom_stage_id {
-  STAGE_ENERGY,          /* {1} x C(n,1), tangents on qd */
-  STAGE_MASS,            /* {1} x C(n,2), tangents on qd */
-  STAGE_FORCE,           /* {1,s} x C(2n,1) */
-  STAGE_GAMMA,           /* {1} */
-  STAGE_HOLONOMIC,       /* {1,s,s2} x C(n,1), tangents on q */
-  STAGE_NONHOLONOMIC,    /* {1,s} x C(n,1), tangents on qd */
-  STAGE_LINEARISE,       /* {1,s} x C(2n,2) */
-  STAGE_GAMMA_LINEARISE, /* {1} x C(2n,1) */
-  STAGE_CURVATURE,       /* {1} x C(n,2), tangents on q */
-  STAGE_NONHOLONOMIC_Q,  /* {1} x C(n,1), tangents on q */
-  STAGE_LOCATE,          /* {1,s,s2} */
+  STAGE_ENERGY,                /* {1} x C(n,1), tangents on qd */
+  STAGE_MASS,                  /* {1} x C(n,2), tangents on qd */
+  STAGE_FORCE,                 /* {1,s} x C(2n,1) */
+  STAGE_GAMMA,                 /* {1} */
+  STAGE_HOLONOMIC,             /* {1,s,s2} x C(n,1), tangents on q */
+  STAGE_NONHOLONOMIC,          /* {1,s} x C(n,1), tangents on qd */
+  STAGE_LINEARISE,             /* {1,s} x C(2n,2) */
+  STAGE_GAMMA_LINEARISE,       /* {1} x C(2n,1) */
+  STAGE_DISSIPATION,           /* {1} x C(n,1), tangents on qd */
+  STAGE_DISSIPATION_LINEARISE, /* {1} x C(2n,2) */
+  STAGE_CURVATURE,             /* {1} x C(n,2), tangents on q */
+  STAGE_NONHOLONOMIC_Q,        /* {1} x C(n,1), tangents on q */
+  STAGE_LOCATE,                /* {1,s,s2} */
   STAGE_COUNT
 } eom_stage_id;
 

@@ -85,12 +85,13 @@ static int parse(int argc, char **argv, input *in, settings *s) {
   return -1;
 }
 
-static int functions(const eom_model *m) { return 2 + m->nholonomic + m->nnonholonomic; }
+static int functions(const eom_model *m) { return 3 + m->nholonomic + m->nnonholonomic; }
 
-/* Lagrangian, force, then the constraints; without jet where there is none. */
+/* Lagrangian, force, dissipation, then the constraints; without jet where there is none. */
 static const eom_function *function(const eom_model *m, int i) {
-  if (i < 2) return i ? &m->force : &m->lagrangian;
-  return i < 2 + m->nholonomic ? &m->holonomic[i - 2] : &m->nonholonomic[i - 2 - m->nholonomic];
+  const eom_function *single[] = {&m->lagrangian, &m->force, &m->dissipation};
+  if (i < 3) return single[i];
+  return i < 3 + m->nholonomic ? &m->holonomic[i - 3] : &m->nonholonomic[i - 3 - m->nholonomic];
 }
 
 /* Of the column of names. */

@@ -59,6 +59,7 @@ std::string Diagnostics::words(const std::string &text) const {
                                             {"--holonomic", "HOLONOMIC"},
                                             {"--nonholonomic", "NONHOLONOMIC"},
                                             {"--force", "FORCE"},
+                                            {"--dissipation", "DISSIPATION"},
                                             {"--dof", "DOF"},
                                             {"--model", "MODEL"},
                                             {"--arg", "ARGS"},

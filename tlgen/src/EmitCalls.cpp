@@ -179,7 +179,7 @@ private:
   }
 
   std::string adapterName(size_t i) const {
-    static const char *const roles[] = {"lagrangian", "force", "holonomic", "nonholonomic"};
+    static const char *const roles[] = {"lagrangian", "force", "dissipation", "holonomic", "nonholonomic"};
     Role role = model_.functions[i].role;
     std::string name = roles[static_cast<int>(role)];
     long n = 0;
@@ -255,7 +255,7 @@ private:
 
   std::string description() const {
     std::string s = countFunction(model_.name + "_dof", model_.dof), lists;
-    std::string lagrangian = "{0}", force = "{0}", constraints[2];
+    std::string lagrangian = "{0}", force = "{0}", dissipation, constraints[2];
     int counts[2] = {};
     for (size_t i = 0; i < model_.functions.size(); ++i) {
       const ModelFunction &f = model_.functions[i];
@@ -266,6 +266,8 @@ private:
         lagrangian = entry(i, rows);
       else if (f.role == Role::Force)
         force = entry(i, rows);
+      else if (f.role == Role::Dissipation)
+        dissipation = ",\n  .dissipation = " + entry(i, rows);
       else {
         int kind = f.role == Role::Nonholonomic;
         constraints[kind] += "  " + entry(i, rows) + ",\n";
@@ -280,7 +282,7 @@ private:
     }
     std::string size = model_.params ? "sizeof(" + model_.params->spelling + ")" : "0";
     return s + lists + "const eom_model " + model_.name + "_model = {\n  .name = \"" + model_.name + "\",\n  .dof = " + model_.name +
-           "_dof,\n  .params_size = " + size + ",\n  .lagrangian = " + lagrangian + ",\n  .force = " + force +
+           "_dof,\n  .params_size = " + size + ",\n  .lagrangian = " + lagrangian + ",\n  .force = " + force + dissipation +
            ",\n  .holonomic = " + pointers[0] + ",\n  .nholonomic = " + std::to_string(counts[0]) +
            ",\n  .nonholonomic = " + pointers[1] + ",\n  .nnonholonomic = " + std::to_string(counts[1]) +
            (motion_.any() ? ",\n  .motion = " + model_.name + "_motions,\n  .nmotion = 1" : "") + ",\n};\n";

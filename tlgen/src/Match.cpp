@@ -54,6 +54,7 @@ public:
   Match run() {
     if (!options_.lagrangian.empty()) addNamed(Role::Lagrangian, options_.lagrangian, "");
     if (!options_.force.empty()) addNamed(Role::Force, options_.force, "");
+    if (!options_.dissipation.empty()) addNamed(Role::Dissipation, options_.dissipation, "");
     for (const FunctionOption &f : options_.holonomic) addNamed(Role::Holonomic, f.name, f.rows);
     for (const FunctionOption &f : options_.nonholonomic) addNamed(Role::Nonholonomic, f.name, f.rows);
     addMarked();
@@ -90,6 +91,8 @@ private:
         add(Role::Lagrangian, function, rows);
       else if (name == "force")
         add(Role::Force, function, rows);
+      else if (name == "dissipation")
+        add(Role::Dissipation, function, rows);
       else if (name == "holonomic")
         add(Role::Holonomic, function, rows);
       else if (name == "nonholonomic")
@@ -140,8 +143,7 @@ private:
 
   // How many numbers an array parameter has, where that is a constant; 0 where it is not known here.
   long lengthOf(const Matched &m, ArgRole role) const {
-    const Count &count = role == ArgRole::Out && m.role != Role::Force && m.role != Role::Lagrangian ? m.rows : match_.dof;
-    if (role == ArgRole::Out && m.role == Role::Lagrangian) return 1;
+    const Count &count = role == ArgRole::Out && m.role != Role::Force ? m.rows : match_.dof;
     return count.member.empty() ? count.value : 0;
   }
 
@@ -187,8 +189,11 @@ private:
     bool silent = m.function->getReturnType()->isVoidType() || m.function->getReturnType()->isIntegerType(); // a code of success
     if (returns == out || (!returns && !silent)) fault("role-missing", m.function, name + " has no result, or two");
     if (m.role == Role::Force && !out) fault("role-missing", m.function, name + " has no 'out'");
-    if (!seen[static_cast<int>(ArgRole::Q)] && !seen[static_cast<int>(ArgRole::Qd)])
+    const bool constant = m.role == Role::Force; // a force may be
+    if (!constant && !seen[static_cast<int>(ArgRole::Q)] && !seen[static_cast<int>(ArgRole::Qd)])
       fault("role-missing", m.function, name + " takes no coordinates");
+    else if (m.role == Role::Dissipation && !seen[static_cast<int>(ArgRole::Qd)])
+      fault("role-missing", m.function, name + " takes no velocities, so it dissipates nothing");
     if (m.role == Role::Nonholonomic && !seen[static_cast<int>(ArgRole::Qd)])
       fault("role-missing", m.function, name + " takes no velocities, so it is holonomic: say --holonomic");
     if (m.role == Role::Holonomic && seen[static_cast<int>(ArgRole::Qd)])
@@ -212,14 +217,14 @@ private:
   }
 
   void checkLagrangian() {
-    const clang::FunctionDecl *first[2] = {};
+    std::map<Role, const clang::FunctionDecl *> first;
     for (const Matched &m : match_.functions) {
-      if (m.role != Role::Lagrangian && m.role != Role::Force) continue;
-      const clang::FunctionDecl *&slot = first[m.role == Role::Force];
+      if (m.role == Role::Holonomic || m.role == Role::Nonholonomic) continue;
+      const clang::FunctionDecl *&slot = first[m.role];
       if (slot) fault("role-twice", m.function, "'" + m.function->getNameAsString() + "' beside '" + slot->getNameAsString() + "'");
       slot = m.function;
     }
-    if (!first[0] && options_.lagrangian.empty())
+    if (!first.count(Role::Lagrangian) && options_.lagrangian.empty())
       diags_.add("no-lagrangian", options_.sources[0], 0, 0, "model '" + options_.model + "'");
   }
 

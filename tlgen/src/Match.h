@@ -16,7 +16,7 @@ struct Matched {
 
 struct Match {
   Count dof;
-  std::vector<Matched> functions; // Lagrangian first, then force, holonomic and nonholonomic in the order given
+  std::vector<Matched> functions; // Lagrangian first, then force, dissipation, holonomic and nonholonomic in the order given
   const clang::RecordDecl *params = nullptr;
   std::map<const clang::FunctionDecl *, Count> recursion; // how deep helpers that call themselves may go
   std::map<std::string, std::string> rules; // functions that fill Taylor coefficients, by what they are the derivatives of

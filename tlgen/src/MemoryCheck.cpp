@@ -25,7 +25,7 @@ void MemoryCheck::runModel(const ModelFunction &f) {
     for (const Arg &arg : f.args) checkRows(f, arg);
 }
 
-// Every row of a constraint, and a Lagrangian's result, is written on some path.
+// Every row of a constraint, and the result of a Lagrangian or dissipation function, is written on some path.
 void MemoryCheck::checkRows(const ModelFunction &f, const Arg &arg) {
   if (arg.role != ArgRole::Out || f.role == Role::Force) return;
   const Object *rows = find(object(0, &arg, "", nullptr));
@@ -43,7 +43,6 @@ Cells MemoryCheck::argument(const ModelFunction &f, size_t i) {
   cell.value.varied = arg.role != ArgRole::Params;
   if (arg.role == ArgRole::Params || param->type->kind != Type::Pointer) return {cell};
   Count count = arg.role != ArgRole::Out || f.role == Role::Force ? model_.dof : f.rows;
-  if (arg.role == ArgRole::Out && f.role == Role::Lagrangian) count = Count{1, ""};
   cell.assigned = arg.role != ArgRole::Out || f.role == Role::Force; // the runtime sets a force's results to zero before
   int id = object(0, &arg, param->name, param->type);
   store(id, arrayOf({cell}, count.member.empty() ? count.value : -1));

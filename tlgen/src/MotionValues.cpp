@@ -19,6 +19,7 @@ MotionValues::MotionValues(const Program &program, const Model &model, const Mot
   for (const ModelFunction &f : model.functions) {
     Traced traced = trace(graph, program, model, f, how);
     if (f.role == Role::Lagrangian) equations.lagrangian = traced.value;
+    if (f.role == Role::Dissipation) equations.dissipation = traced.value;
     if (f.role == Role::Force) equations.force = traced.rows;
     if (f.role == Role::Holonomic) equations.holonomic.push_back(traced.rows);
     if (f.role == Role::Nonholonomic) equations.nonholonomic.push_back(traced.rows);

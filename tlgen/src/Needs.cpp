@@ -46,6 +46,15 @@ const Adjoints &Needs::adjoints() {
   return *adjoints_;
 }
 
+// dD/dqd, the force of dissipation with the other sign.
+const Adjoints &Needs::dissipationAdjoints() {
+  if (!dissipationAdjoints_) {
+    dissipationAdjoints_ = std::make_unique<Adjoints>(reverse(graph_, {{equations_.dissipation, graph_.number(1)}}, {qd_}, analyses_));
+    if (dissipationAdjoints_->noFormula) noFormula_ = dissipationAdjoints_->noFormula;
+  }
+  return *dissipationAdjoints_;
+}
+
 // The derivative of the sum of lambda times a constraint, by q for holonomic and by qd for other constraints: a part of A' lambda.
 const Adjoints &Needs::constraintAdjoints(bool holonomic) {
   auto &known = constraintAdjoints_[holonomic];
@@ -87,6 +96,7 @@ Needs::Parts Needs::residualParts(bool constraintForces) {
   collect(parts, adjoints(), qd_, 1, 1);
   collect(parts, adjoints(), q_, 0, -1);
   if (equations_.force) collect(parts, equations_.force, 0, -1, 0);
+  if (equations_.dissipation) collect(parts, dissipationAdjoints(), qd_, 0, 1);
   if (constraintForces && !equations_.holonomic.empty()) collect(parts, constraintAdjoints(true), q_, 0, -1);
   if (constraintForces && !equations_.nonholonomic.empty()) collect(parts, constraintAdjoints(false), qd_, 0, -1);
   return parts;
@@ -200,6 +210,7 @@ Results Needs::simulate() {
   collect(force, adjoints(), q_, 0, 1);
   collect(force, adjoints(), qd_, 1, -1);
   if (equations_.force) collect(force, equations_.force, 0, 1, 0);
+  if (equations_.dissipation) collect(force, dissipationAdjoints(), qd_, 0, -1);
   addMatrix(results, rates, outputs, "M", momentum, n, n, explicit_, true);
   addScalar(results, outputs, "Q", force, n);
   collect(psi, equations_.nonholonomic, 0, 1, 0);

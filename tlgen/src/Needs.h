@@ -1,7 +1,7 @@
 // What each need of the runtime is made of: which derivatives of a model's functions give its numbers (DESIGN: adjoint jets).
 //
 // One reverse sweep of L gives the adjoints x of q and u of qd as values. Along the motion q + s qd + s^2/2 qdd their coefficients are
-// the equations of motion: r = [s]u - [1]x - force. Their tangents are the derivatives of these.
+// the equations of motion: r = [s]u - [1]x + dD/dqd - force. Their tangents are the derivatives of these.
 #ifndef TLGEN_NEEDS_H
 #define TLGEN_NEEDS_H
 
@@ -17,6 +17,7 @@ struct Equations {
   long n = 0;
   Node *lagrangian = nullptr;
   Array *force = nullptr;                       // null: none
+  Node *dissipation = nullptr;                  // likewise
   std::vector<Array *> holonomic, nonholonomic; // one per function
   std::vector<Node *> assigned;                 // to be computed though no result needs them
 };
@@ -69,6 +70,7 @@ private:
   const Slot *slot(Slot::Kind kind, long length);
   Node *element(const Slot *slot, Node *like) { return graph_.leaf(slot, like->args); }
   const Adjoints &adjoints();
+  const Adjoints &dissipationAdjoints();
   const Adjoints &constraintAdjoints(bool holonomic);
   void collect(Parts &parts, const Adjoints &adjoints, const Slot *slot, int power, double factor);
   void collect(Parts &parts, const Array *rows, int power, double factor, long offset);
@@ -92,7 +94,7 @@ private:
   Analyses analyses_;
   Identity identity_;
   const Slot *q_, *qd_, *t_, *qdd_, *lambda_;
-  std::unique_ptr<Adjoints> adjoints_, constraintAdjoints_[2];
+  std::unique_ptr<Adjoints> adjoints_, dissipationAdjoints_, constraintAdjoints_[2];
   const Node *noFormula_ = nullptr;
 };
 

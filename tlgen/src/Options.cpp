@@ -15,7 +15,7 @@ const char *const helpOfModels =
     R"(usage: tlgen [options] SOURCE.c [SOURCE.c ..] [-- compiler arguments]
        tlgen --models FILE [options] [-- compiler arguments]
 
-Reads a Lagrangian, and constraint and force functions, written as plain C, and writes them as functions on truncated Taylor
+Reads a Lagrangian, and constraint, force and dissipation functions, written as plain C, and writes them as functions on truncated Taylor
 series, so that the runtime gets every derivative exactly. The C source stays as it is.
 
 Model
@@ -23,6 +23,7 @@ Model
   --holonomic NAME[:M]   a constraint function phi(q,t) = 0 with M rows; may be repeated
   --nonholonomic NAME[:M]  a constraint function psi(q,qd,t) = 0; may be repeated
   --force NAME           the generalized force (one row per coordinate)
+  --dissipation NAME     Rayleigh's dissipation function D(q,qd,t), in W; its force is -dD/dqd
   --dof N                the number of coordinates: a constant, or the name of an integer member of the parameter struct
   --recursion NAME:D     the helper function NAME may call itself, at most D deep (a constant or a member); may be repeated
   --rule NAME:RULE       the function NAME has no C here; RULE is one that fills its Taylor coefficients (a tl_rule, or a tl_rule_n
@@ -234,6 +235,7 @@ bool setOption(Options &o, Run *run, const std::string &name, const std::string 
   if (name == "--models") return setOnce(run->modelsFile, name, value);
   if (name == "--lagrangian") return setOnce(o.lagrangian, name, value);
   if (name == "--force") return setOnce(o.force, name, value);
+  if (name == "--dissipation") return setOnce(o.dissipation, name, value);
   if (name == "--dof") return setOnce(o.dof, name, value);
   if (name == "--model") return setOnce(o.model, name, value);
   if (name == "-o") return setOnce(o.output, name, value);

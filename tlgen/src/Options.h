@@ -24,7 +24,7 @@ struct ArgOption {
 struct Options {
   std::vector<std::string> sources;
   std::string model, dof, output, compileCommands;
-  std::string lagrangian, force;
+  std::string lagrangian, force, dissipation;
   std::vector<FunctionOption> holonomic, nonholonomic;
   std::vector<FunctionOption> recursion; // rows: the depth
   std::vector<FunctionOption> rules;     // rows: the function that fills the Taylor coefficients

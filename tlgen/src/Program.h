@@ -114,7 +114,10 @@ struct Rule {
 };
 
 // What a function of the model is for.
-enum class Role { Lagrangian, Force, Holonomic, Nonholonomic };
+enum class Role { Lagrangian, Force, Dissipation, Holonomic, Nonholonomic };
+
+// Whether its result is one number.
+inline bool isScalar(Role role) { return role == Role::Lagrangian || role == Role::Dissipation; }
 
 // What a parameter of such a function is.
 enum class ArgRole { Q, Qd, T, Params, Out };

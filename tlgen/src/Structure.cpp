@@ -109,6 +109,7 @@ std::vector<Node *> valuesOf(const Results &results, const std::string &name) {
 
 std::vector<Node *> valuesOf(const Equations &equations) {
   std::vector<Node *> values = {equations.lagrangian};
+  if (equations.dissipation) values.push_back(equations.dissipation);
   if (equations.force) addWrites(values, equations.force);
   for (const auto *functions : {&equations.holonomic, &equations.nonholonomic})
     for (const Array *function : *functions) addWrites(values, function);

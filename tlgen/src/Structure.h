@@ -28,7 +28,7 @@ RowClasses classesOf(const Results &results, const std::string &name, long colum
 // Whether M, of simulate, depends on parameters alone.
 bool isMassConstant(const Results &simulate);
 
-// Whether neither L, nor a force or constraint, depends on t.
+// Whether neither L, nor a force, dissipation or constraint, depends on t.
 bool isAutonomous(const Equations &equations);
 
 } // namespace tlgen

@@ -50,7 +50,7 @@ Traced Tracer::run(const ModelFunction &f) {
   result.unrolled = unrolled_;
   if (!state_.live) unsuitable("the function never returns");
   int values = out != Pointer::null ? out : frames_.back().result; // what is returned beside results is a status
-  if (f.role == Role::Lagrangian)
+  if (isScalar(f.role))
     result.value = resultCell(values, 0);
   else
     result.rows = rows(values, f.function->name);
@@ -89,7 +89,7 @@ Cells Tracer::argument(const ModelFunction &f, size_t i) {
     break;
   case ArgRole::Out: {
     bool force = f.role == Role::Force;
-    long length = f.role == Role::Lagrangian ? 1 : count(force ? model_.dof : f.rows);
+    long length = count(force ? model_.dof : f.rows);
     Cell zero{Cell::Number, graph_.number(0), nullptr};
     int id = newObject(std::move(o));
     store(id, Cells(size_t(length), force ? zero : Cell{}));

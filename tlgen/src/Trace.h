@@ -25,7 +25,7 @@ struct Unsuitable {
 };
 
 struct Traced {
-  Node *value = nullptr;            // of a Lagrangian
+  Node *value = nullptr;            // of a Lagrangian or dissipation function
   Array *rows = nullptr;            // of the others: element i is row i; rows of a force that are never written are 0
   std::vector<Node *> assigned;     // numbers that the source gives to variables, in all iterations of loops
   std::vector<Unsuitable> unrolled; // with keepLoops: which loops were not kept, and why

@@ -33,6 +33,7 @@ typedef struct eom_model {
   size_t params_size;               /* bytes of the parameter struct, 0 where there is none */
   eom_function lagrangian;          /* L(q,qd,t), one row, J */
   eom_function force;               /* generalized force, n rows; jet null where there is none */
+  eom_function dissipation;         /* Rayleigh's D(q,qd,t), one row, W: the force -dD/dqd beside it; likewise */
   const eom_function *holonomic;    /* phi(q,t) = 0 */
   int nholonomic;                   /* functions, not rows */
   const eom_function *nonholonomic; /* psi(q,qd,t) = 0 */

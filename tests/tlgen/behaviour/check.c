@@ -192,11 +192,11 @@ int main(int argc, char **argv) {
   checked list[16];
   struct CMUnitTest tests[16];
   int count = 0, constraints = m->nholonomic + m->nnonholonomic;
-  const eom_function *functions[16] = {&m->lagrangian, &m->force};
+  const eom_function *functions[16] = {&m->lagrangian, &m->force, &m->dissipation};
 
   for (int i = 0; i < constraints; i++)
-    functions[2 + i] = i < m->nholonomic ? &m->holonomic[i] : &m->nonholonomic[i - m->nholonomic];
-  for (int i = 0; i < 2 + constraints; i++) {
+    functions[3 + i] = i < m->nholonomic ? &m->holonomic[i] : &m->nonholonomic[i - m->nholonomic];
+  for (int i = 0; i < 3 + constraints; i++) {
     if (!functions[i]->jet) continue;
     list[count] = (checked){functions[i], count, functions[i]->rows(params), m->dof(params)};
     tests[count] = (struct CMUnitTest){functions[i]->name, check_function, NULL, NULL, &list[count]};

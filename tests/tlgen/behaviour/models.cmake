@@ -21,6 +21,10 @@ add_behaviour(constraints DOF coordinates SIZES coordinates=4 links=2 LAGRANGIAN
   PARAMS "&params")
 add_behaviour(marks MARKED DOF 2 SIZES links=2 LAGRANGIAN "action(out, &params, qd, q)" FORCE "push(qd, out)" HOLONOMIC "links: loop(q, &params, t, out)"
   PARAMS "&params")
+add_behaviour(dissipation DOF n SIZES n=3 LAGRANGIAN "out[0] = energy(q, qd, &params)" FORCE "drive(t, &params, out)"
+  DISSIPATION "losses(&params, q, qd, t, out)" HOLONOMIC "out[0] = closure(q)" PARAMS "&params")
+add_behaviour(constant_force MARKED DOF 2 LAGRANGIAN "out[0] = energy(q, qd)" FORCE "weights(&params, out)" DISSIPATION "out[0] = oil(qd)"
+  PARAMS "&params")
 add_behaviour(order DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
 add_behaviour(aliases DOF 2 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")
 add_behaviour(two_files HELPERS other_file two_files_scale two_files_table FILES two_files_helper.c DOF 1 LAGRANGIAN "out[0] = lagrangian(q, qd, t)")

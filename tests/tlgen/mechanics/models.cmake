@@ -49,6 +49,8 @@ add_mechanics(foucault "Foucault pendulum in the rotating frame; terse, one comm
   ARGS q=r qd=v out=F)
 add_mechanics(swinging_atwood "swinging Atwood machine with wide pulleys; GNU style, scalar arguments" DOF 2 LAGRANGIAN atwood_lagrangian
   ARGS q=r,theta qd=rdot,thetadot)
+add_mechanics(hoist "hoist on a rail with brake, rope and air drag, by Rayleigh's dissipation; kernel style, tabs, designated initialisers" DOF 3
+  LAGRANGIAN hoist_lagrangian DISSIPATION hoist_losses HOLONOMIC hoist_rope FORCE hoist_drive PARAMS "&harbour")
 add_mechanics(half_car "half-car suspension; table of elements with kinds, switch with fall-through" DOF 4 SIZES n_elements=8 LAGRANGIAN half_car_lagrangian
   FORCE half_car_dampers PARAMS "&car")
 add_mechanics(tethered_drone "drone on a cable of three segments; vector macros, pointer walk in do while" DOF 9 LAGRANGIAN drone_lagrangian
