@@ -69,9 +69,8 @@ double andrews_lagrangian(const double *q, const double *qd, const andrews *p)
 	return T - spring(q, p);
 }
 
-void andrews_torque(const double *q, const andrews *p, double *out)
+void andrews_torque(const andrews *p, double *out)
 {
-	(void)q;
 	for (int i = 0; i < ANDREWS_COORDINATES; i++)
 		out[i] = i == BETA ? p->mom : 0.0;
 }

@@ -22,7 +22,7 @@ void andrews_start(double *q, double *qd);
 double andrews_lagrangian(const double *q, const double *qd, const andrews *p);
 
 /* out[i]: generalized force on coordinate i, N m. */
-void andrews_torque(const double *q, const andrews *p, double *out);
+void andrews_torque(const andrews *p, double *out);
 
 /* Three ways to the point that all loops share, by x and y: out[0..5], m. */
 void andrews_loops(const double *q, const andrews *p, double *out);
