@@ -23,10 +23,12 @@ size_t eom_modes_work(int d);
 
 /* The modes of z' = F z, in ascending order of |im|, then of re; of a conjugate pair the one with im > 0 first. Where those differ by
  * rounding only, any order.
+ *   F        d x d, not modified
  *   modes    d
  *   shapes   null, or d x 2 x d: for each mode the d real parts of its eigenvector, then the d imaginary parts, scaled so that the
- * number of largest modulus, the first among equals, is 1 work     eom_modes_work(d) F: d x d, not modified. Returns OK; NOT_FINITE for
- * an F that is not; NO_EIGENVALUES where LAPACK's iteration fails. */
+ *            number of largest modulus, the first among equals, is 1
+ *   work     eom_modes_work(d)
+ * NOT_FINITE for an F that is not; NO_EIGENVALUES where LAPACK's iteration fails. */
 eom_status eom_modes(eom_mode *modes, tl_real *shapes, int d, const tl_real *F, tl_real *work);
 
 /* The modes of a linear model in minimal coordinates with shapes in the user's: Z v, v the eigenvectors of minimal->F.
