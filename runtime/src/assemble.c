@@ -183,8 +183,8 @@ eom_status eom_assemble(eom_system *sys, const tl_real *q, const tl_real *qd, tl
 /* ---- inverse dynamics ---- */
 
 eom_status eom_residual(eom_system *sys, tl_real *r, const tl_real *qdd, const tl_real *q, const tl_real *qd, tl_real t) {
-  assert(r && qdd && sys->options.needs & EOM_NEED_RESIDUAL);
-  if (eom_start(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  assert(r && qdd);
+  if (eom_start_needing(sys, EOM_NEED_RESIDUAL, q, qd, t) != EOM_OK) return sys->report.status;
   if (eom_check_finite(sys, "argument qdd", qdd, sys->n) != EOM_OK) return sys->report.status;
   if (eom_by_motion(sys, EOM_TASK_RESIDUAL)) {
     const int code = sys->motion->residual(sys->params, q, qd, t, qdd, r, sys->workspace->motion_work);

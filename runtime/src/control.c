@@ -98,11 +98,12 @@ static tl_real shrinking(const eom_integrator *it) {
   return larger(factor, most_shrinking);
 }
 
-/* sqrt(1/dim sum (v_i / scale_i)^2). */
+/* sqrt(1/dim sum (v_i / scale_i)^2), without components whose scale is zero until they have moved. */
 static tl_real norm(const eom_integrator *it, const tl_real *v) {
   tl_real sum = TL_C(0.0), inverse[EOM_BLOCK];
   for (int i = 0; i < it->dim; i++) {
     if (i % EOM_BLOCK == 0) inverse_scales(it, inverse, (size_t)i, it->y);
+    if (inverse[i % EOM_BLOCK] >= TL_C(1.0) / TL_MIN) continue;
     const tl_real e = v[i] * inverse[i % EOM_BLOCK];
     sum += e * e;
   }

@@ -369,9 +369,9 @@ static tl_real change_of(int n, const tl_real *x, const tl_real *was, int *most)
 
 eom_status eom_find_equilibrium(eom_system *sys, tl_real *q, tl_real *qd, tl_real t, eom_equilibrium *equilibrium, void *memory,
                                 size_t bytes) {
-  assert(sys && q && qd && equilibrium && (sys->options.needs & EOM_NEED_LINEARISE));
+  assert(sys && q && qd && equilibrium);
   const int n = sys->n;
-  if (eom_start(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  if (eom_start_needing(sys, EOM_NEED_LINEARISE, q, qd, t) != EOM_OK) return sys->report.status;
   if (!memory || bytes < eom_equilibrium_bytes(sys)) return sys->report.status = EOM_NO_MEMORY;
   search s = {.sys = sys, .q = q, .qd = qd, .t = t, .out = equilibrium};
   eom_arena arena = eom_arena_at(memory);

@@ -89,9 +89,19 @@ static void clear(eom_report *r) {
 eom_status eom_start(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
   assert(sys && sys->workspace && q && qd);
   clear(&sys->report);
+  if (!eom_sizes_hold(sys)) {
+    sys->report.function = sys->model->name;
+    return sys->report.status = EOM_SIZES_CHANGED;
+  }
   if (eom_check_finite(sys, "argument q", q, sys->n) != EOM_OK) return sys->report.status;
   if (eom_check_finite(sys, "argument qd", qd, sys->n) != EOM_OK) return sys->report.status;
   return eom_check_finite(sys, "argument t", &t, 1);
+}
+
+eom_status eom_start_needing(eom_system *sys, unsigned need, const tl_real *q, const tl_real *qd, tl_real t) {
+  if (eom_start(sys, q, qd, t) != EOM_OK || sys->options.needs & need) return sys->report.status;
+  sys->report.function = "options.needs";
+  return sys->report.status = EOM_BAD_OPTION;
 }
 
 /* ---- failures ---- */

@@ -10,8 +10,14 @@ bool eom_choose_emitters(eom_system *sys, eom_workspace *ws);
 
 bool eom_by_motion(const eom_system *sys, eom_task task);
 
-/* Clears the report and checks that the arguments are finite. */
+/* Whether the model has the sizes that the system was started with. */
+bool eom_sizes_hold(const eom_system *sys);
+
+/* Clears the report and checks that the model has the system's sizes, and that the arguments are finite. */
 eom_status eom_start(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t);
+
+/* The same for what the system must have been asked for: BAD_OPTION without that bit of options.needs. */
+eom_status eom_start_needing(eom_system *sys, unsigned need, const tl_real *q, const tl_real *qd, tl_real t);
 
 /* What a motion function returned at a state, as a status with its report. */
 eom_status eom_motion_verdict(eom_system *sys, int code, const tl_real *q, const tl_real *qd, tl_real t);

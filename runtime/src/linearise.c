@@ -178,8 +178,8 @@ static int solved_form(eom_system *sys, const tl_real *q, const tl_real *qd, tl_
 }
 
 eom_status eom_linearise(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
-  assert(sys && (sys->options.needs & EOM_NEED_LINEARISE));
-  if (eom_start(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  assert(sys);
+  if (eom_start_needing(sys, EOM_NEED_LINEARISE, q, qd, t) != EOM_OK) return sys->report.status;
   const int code = solved_form(sys, q, qd, t);
   return code == EOM_MOTION_PIVOT ? eom_linearise_factored(sys, q, qd, t) : eom_solved_by_motion(sys, code, q, qd, t);
 }

@@ -312,7 +312,8 @@ size_t eom_lyapunov_bytes(const eom_system *sys, const eom_lyapunov_options *opt
 
 eom_status eom_lyapunov_init(eom_lyapunov *ly, eom_system *sys, const eom_lyapunov_options *options, tl_real t, const tl_real *y,
                              tl_real h, void *memory, size_t bytes) {
-  assert(ly && sys && y && (sys->options.needs & EOM_NEED_LINEARISE));
+  assert(ly && sys && y);
+  if (!(sys->options.needs & EOM_NEED_LINEARISE)) return EOM_BAD_OPTION;
   *ly = outline(sys, options);
   if (!options_are_valid(&ly->options) || !TL_ISFINITE(h) || h == TL_C(0.0)) return EOM_BAD_OPTION;
   const size_t need = eom_lyapunov_bytes(sys, &ly->options);

@@ -261,8 +261,8 @@ static void fill(const eom_system *sys, const eom_minimal *out, const work *w) {
 
 eom_status eom_linearise_minimal(eom_system *sys, eom_minimal *minimal, const tl_real *q, const tl_real *qd, tl_real t, void *memory,
                                  size_t bytes) {
-  assert(sys && minimal && (sys->options.needs & EOM_NEED_LINEARISE));
-  if (eom_start(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  assert(sys && minimal);
+  if (eom_start_needing(sys, EOM_NEED_LINEARISE, q, qd, t) != EOM_OK) return sys->report.status;
   if (!memory || bytes < eom_minimal_bytes(sys)) return sys->report.status = EOM_NO_MEMORY;
   eom_arena arena = eom_arena_at(memory);
   work w;

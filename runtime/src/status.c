@@ -54,7 +54,9 @@ static void put_solve(writer *w, const eom_report *r) {
   if (r->status == EOM_NO_INERTIA) put(w, "  coordinate %d (counted from 0) can move without inertia\n", r->index);
   if (r->status == EOM_NO_EQUILIBRIUM) put(w, "  coordinate %d (counted from 0) still accelerates\n", r->index);
   if (r->rank < 0) return;
-  put(w, "  constraint rank %d, condition %.2g, largest |A qdd - b| %.2g", r->rank, (double)r->condition, (double)r->residual);
+  put(w, "  constraint rank %d", r->rank);
+  if (r->condition >= TL_C(0.0)) put(w, ", condition %.2g", (double)r->condition);
+  if (r->residual >= TL_C(0.0)) put(w, ", largest |A qdd - b| %.2g", (double)r->residual);
   if (r->pivot >= TL_C(0.0)) put(w, ", smallest pivot of %s %.2g", r->weighted ? "M + A'WA" : "M", (double)r->pivot);
   put(w, "\n");
   const int shown = r->nrow < EOM_REPORT_ROWS ? r->nrow : EOM_REPORT_ROWS;

@@ -154,6 +154,13 @@ static bool plan_sizes(eom_system *sys, const eom_model *model, const void *para
   return true;
 }
 
+bool eom_sizes_hold(const eom_system *sys) {
+  const eom_model *model = sys->model;
+  if (sys->motion) return sys->motion->fits(sys->params);
+  return model->dof(sys->params) == sys->n && count_rows(model->holonomic, model->nholonomic, sys->params) == sys->m1 &&
+         count_rows(model->nonholonomic, model->nnonholonomic, sys->params) == sys->m2;
+}
+
 static bool is_gain(tl_real x) { return x >= TL_C(0.0) && x <= TL_MAX; }
 
 static bool plan_options(eom_system *sys, const eom_options *given) {

@@ -34,8 +34,8 @@ static eom_status tangent_by_motion(eom_system *sys, tl_real *dqdd, tl_real *dla
 
 eom_status eom_tangent(eom_system *sys, tl_real *dqdd, tl_real *dlambda, int k, const tl_real *w, const tl_real *q, const tl_real *qd,
                        tl_real t) {
-  assert(dqdd && (dlambda || sys->m == 0) && k > 0 && w && (sys->options.needs & EOM_NEED_TANGENT));
-  if (eom_start(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  assert(dqdd && (dlambda || sys->m == 0) && k > 0 && w);
+  if (eom_start_needing(sys, EOM_NEED_TANGENT, q, qd, t) != EOM_OK) return sys->report.status;
   const int n = sys->n;
   if (eom_check_finite(sys, "argument w", w, 2 * n * k) != EOM_OK) return sys->report.status;
   const bool by_motion = eom_by_motion(sys, EOM_TASK_TANGENT);
@@ -46,8 +46,9 @@ eom_status eom_tangent(eom_system *sys, tl_real *dqdd, tl_real *dlambda, int k, 
 
 eom_status eom_parameter_derivatives(eom_system *sys, tl_real *qdd_p, tl_real *lambda_p, const tl_real *q, const tl_real *qd,
                                      tl_real t) {
-  assert(qdd_p && (lambda_p || sys->m == 0) && (sys->options.needs & EOM_NEED_PARAMETERS));
-  if (eom_start(sys, q, qd, t) != EOM_OK || eom_solve_at(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  assert(qdd_p && (lambda_p || sys->m == 0));
+  if (eom_start_needing(sys, EOM_NEED_PARAMETERS, q, qd, t) != EOM_OK || eom_solve_at(sys, q, qd, t) != EOM_OK)
+    return sys->report.status;
   const eom_motion *motion = sys->motion;
   const int code = motion->parameters(sys->params, q, qd, t, sys->qdd, sys->lambda, qdd_p, lambda_p, sys->workspace->motion_work);
   if (code != 0) return eom_motion_verdict(sys, code, q, qd, t);

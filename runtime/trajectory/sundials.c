@@ -230,6 +230,8 @@ static eom_status verdict(int flag) {
   switch (flag) {
   case CV_TOO_MUCH_WORK:
     return EOM_TOO_MUCH_WORK;
+  case CV_ILL_INPUT: /* a component that is zero, without an absolute tolerance */
+    return EOM_BAD_OPTION;
   case CV_RHSFUNC_FAIL:
   case CV_FIRST_RHSFUNC_ERR:
   case CV_REPTD_RHSFUNC_ERR:

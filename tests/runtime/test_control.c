@@ -257,6 +257,20 @@ static void starts_from_zero(void **state) {
   }
 }
 
+/* A component that is zero at the start has no scale of its own without atol: the others choose the first step. */
+static void starts_with_a_zero_and_no_atol(void **state) {
+  (void)state;
+  const double y[4] = {0, 1, 1, 0};
+  for (int m = 0; m < METHODS; m++) {
+    eom_integrator it;
+    start(&it, methods[m], kepler, NULL, 4, y, &(eom_step_control){.rtol = 1e-6}); /* a circle */
+    assert_int_equal(eom_integrate(&it, 1, NULL, NULL), EOM_OK);
+    assert_true(it.evaluations < 400);
+    assert_close(it.y[0], sin(1), 0, 1e-4);
+    assert_close(it.y[3], -sin(1), 0, 1e-4);
+  }
+}
+
 static void bad_options(void **state) {
   (void)state;
   static double work[MOST_WORK];
@@ -412,6 +426,7 @@ int main(void) {
                                      cmocka_unit_test(tolerances_by_component),
                                      cmocka_unit_test(steps_stay_below_the_bound),
                                      cmocka_unit_test(starts_from_zero),
+                                     cmocka_unit_test(starts_with_a_zero_and_no_atol),
                                      cmocka_unit_test(bad_options),
                                      cmocka_unit_test(stiffness_ends_in_work),
                                      cmocka_unit_test(explosions_are_located),

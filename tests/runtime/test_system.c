@@ -189,6 +189,33 @@ static void assembled_fields(void **state) {
   eom_system_destroy(sys);
 }
 
+/* What a system was not asked for it does not do; nor does it go on with other sizes than it began with. */
+static void what_was_not_asked_for(void **state) {
+  (void)state;
+  pendulum p = {.n = 2, .g = 9.81};
+  eom_options options = eom_options_default();
+  options.needs = EOM_NEED_SIMULATE;
+  eom_system *sys;
+  assert_int_equal(eom_system_create(&sys, &pendulum_model, &p, &options), EOM_OK);
+  const double q[3] = {0.1, 0.2, 0.3}, w[4] = {1, 0, 0, 0};
+  double out[4];
+  assert_int_equal(eom_linearise(sys, q, q, 0), EOM_BAD_OPTION);
+  assert_string_equal(sys->report.function, "options.needs");
+  assert_int_equal(eom_residual(sys, out, q, q, q, 0), EOM_BAD_OPTION);
+  assert_int_equal(eom_tangent(sys, out, NULL, 1, w, q, q, 0), EOM_BAD_OPTION);
+  assert_int_equal(eom_parameter_derivatives(sys, out, NULL, q, q, 0), EOM_BAD_OPTION);
+  eom_minimal minimal;
+  assert_int_equal(eom_linearise_minimal(sys, &minimal, q, q, 0, NULL, 0), EOM_BAD_OPTION);
+  assert_int_equal(eom_acceleration(sys, q, q, 0), EOM_OK);
+  p.n = 3;
+  assert_int_equal(eom_acceleration(sys, q, q, 0), EOM_SIZES_CHANGED);
+  assert_string_equal(sys->report.function, "pendulum");
+  assert_int_equal(eom_energy(sys, q, q, 0), EOM_SIZES_CHANGED);
+  p.n = 2;
+  assert_int_equal(eom_acceleration(sys, q, q, 0), EOM_OK);
+  eom_system_destroy(sys);
+}
+
 /* A report is cut to the room there is, and says how much it needs. */
 static void report_text(void **state) {
   (void)state;
@@ -209,9 +236,9 @@ static void report_text(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(impossible_models),  cmocka_unit_test(impossible_options),
-                                     cmocka_unit_test(callers_memory),     cmocka_unit_test(needs_decide_memory),
-                                     cmocka_unit_test(weights_are_copied), cmocka_unit_test(rows_have_names),
-                                     cmocka_unit_test(assembled_fields),   cmocka_unit_test(report_text)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(impossible_models),   cmocka_unit_test(impossible_options), cmocka_unit_test(callers_memory),
+      cmocka_unit_test(needs_decide_memory), cmocka_unit_test(weights_are_copied), cmocka_unit_test(rows_have_names),
+      cmocka_unit_test(assembled_fields),    cmocka_unit_test(report_text),        cmocka_unit_test(what_was_not_asked_for)};
   return cmocka_run_group_tests_name("system", tests, NULL, NULL);
 }

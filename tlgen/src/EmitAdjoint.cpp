@@ -291,6 +291,13 @@ std::string wrongSize(const Model &model, const MotionOptions &options) {
   return "";
 }
 
+// The first member to differentiate by that is no number and no array of numbers; empty where there is none.
+std::string wrongParameter(const Model &model, const MotionOptions &options) {
+  for (const std::string &member : options.parameters)
+    if (!numberMember(model, member)) return member;
+  return "";
+}
+
 } // namespace
 
 const std::vector<std::string> &allNeeds() {
@@ -302,9 +309,10 @@ std::string reportHeader() { return Report::csvHeader(); }
 
 MotionText emitAdjoint(const Program &program, const Model &model, const MotionOptions &options, Diagnostics &diags) {
   Loc place = model.functions[0].function->loc;
-  std::string wrong = wrongSize(model, options), missing = missingSizes(model, options);
+  const std::string wrong = wrongSize(model, options), missing = missingSizes(model, options), unknown = wrongParameter(model, options);
   if (!wrong.empty()) diags.add("bad-size", program, place, "'" + wrong + "'");
-  if (options.needs.empty() || !wrong.empty()) return {};
+  if (!unknown.empty()) diags.add("bad-parameter", program, place, "'" + unknown + "'");
+  if (options.needs.empty() || !wrong.empty() || !unknown.empty()) return {};
   if (!missing.empty()) {
     diags.add("no-size", program, place, "'" + missing + "'");
     return {};

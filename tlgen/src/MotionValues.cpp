@@ -87,17 +87,19 @@ Results &MotionValues::results(const std::string &need) {
   return results_.emplace(need, std::move(made)).first->second;
 }
 
-// Members are numbers, or arrays of constant length.
+const Type *numberMember(const Model &model, const std::string &member) {
+  const Type *type = nullptr;
+  for (const Field &field : model.params ? model.params->fields : std::vector<Field>())
+    if (field.name == member) type = field.type;
+  const bool array = type && type->kind == Type::Array;
+  const Type *number = array ? type->element : type;
+  return number && number->kind == Type::Real && !(array && type->count < 1) ? type : nullptr;
+}
+
 void MotionValues::findParameters(const Model &model, const MotionOptions &options) {
   for (const std::string &member : options.parameters) {
-    const Type *type = nullptr;
-    for (const Field &field : model.params ? model.params->fields : std::vector<Field>())
-      if (field.name == member) type = field.type;
-    bool array = type && type->kind == Type::Array;
-    const Type *number = array ? type->element : type;
-    if (!number || number->kind != Type::Real || (array && type->count < 1))
-      throw Unsuitable{"'" + member + "' is no number of the parameter struct, and no array of numbers",
-                       model.functions[0].function->loc};
+    const Type *type = numberMember(model, member);
+    const bool array = type->kind == Type::Array;
     Slot slot;
     slot.kind = Slot::Member;
     slot.text = std::string(TRACE_PARAMS) + "->" + member + (array ? "[%]" : "");

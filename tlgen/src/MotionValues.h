@@ -10,6 +10,10 @@
 
 namespace tlgen {
 
+// The type of a member of the parameter struct that can be differentiated by, a number or an array of a constant number of them; null
+// where it is none.
+const Type *numberMember(const Model &model, const std::string &member);
+
 class MotionValues {
 public:
   // rows: loops are kept and tangents are rows in memory; otherwise all is straight-line. Throws Unsuitable.

@@ -16,7 +16,8 @@ typedef struct eom_trajectory_method {
   const char *name;
   const char *text; /* a line about it */
   int order;        /* of one step; 0: it varies */
-  int implicit;     /* 1: for stiff motion; takes the exact Jacobian of the system, which must have EOM_NEED_LINEARISE */
+  int implicit;     /* 1: for stiff motion, best with options.baumgarte or nothing in the place of projection, whose changes a stiff
+                       spring in their way answers; takes the exact Jacobian of the system, which must have EOM_NEED_LINEARISE */
   int fixed;        /* 1: takes fixed steps too */
   int projects;     /* 1: can bring its steps onto the constraints */
 } eom_trajectory_method;
@@ -27,11 +28,13 @@ const eom_trajectory_method *eom_trajectory_method_at(int i);
 /* Zeros make a choice. */
 typedef struct eom_trajectory_options {
   const char *method;       /* null: the default */
-  eom_step_control control; /* without tolerances steps have the fixed length h; h_min is for the library's own methods alone */
+  eom_step_control control; /* without tolerances steps have the fixed length h; h_min and rtol_each are for the library's own methods
+                               alone; SUNDIALS' want atol > 0 where a component may be zero (BAD_OPTION then) */
   tl_real h;                /* s: the length of each step, or the first to be tried; 0: chosen */
   int project;              /* 1: after each step, and at the start, the state is brought onto the constraints (eom/project.h) */
-  eom_events *events;       /* null: none. With SUNDIALS' methods tolerance and parts are SUNDIALS' own */
-  eom_outputs *outputs;     /* null: none */
+  eom_events *events;   /* null: none. With SUNDIALS' methods tolerance and parts are SUNDIALS' own; ARKODE interpolates to order 5 at
+                           most, so that events and outputs inside its long steps are less exact than its steps */
+  eom_outputs *outputs; /* null: none */
 } eom_trajectory_options;
 
 /* Since the start. */
