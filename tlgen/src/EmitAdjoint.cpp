@@ -320,7 +320,7 @@ MotionText emitAdjoint(const Program &program, const Model &model, const MotionO
   try {
     return MotionEmitter(program, model, options, diags).run();
   } catch (const Unsuitable &u) {
-    diags.add("adjoint-unsuitable", program, u.loc, u.why);
+    diags.add(u.id, program, u.loc, u.why);
     return {};
   }
 }

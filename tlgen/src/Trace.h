@@ -21,7 +21,8 @@ struct TraceOptions {
 struct Unsuitable {
   std::string why;
   Loc loc;
-  bool large = false; // it is only too large
+  bool large = false;                    // it is only too large
+  const char *id = "adjoint-unsuitable"; // of the message where no form can be printed
 };
 
 struct Traced {

@@ -58,7 +58,12 @@ bool Tracer::isTentative() const {
   return std::any_of(kept_.begin(), kept_.end(), [](const Kept *k) { return k->pass < surveyed || !k->loop->trips; });
 }
 
+// A place outside of an array of the inputs, where no condition of run time stands before it, is a fault of the source at these sizes.
 void Tracer::checkIndex(Node *index, long length) {
+  const bool outside = index->isConstant() && length >= 0 && (index->offset < 0 || index->offset >= length);
+  if (outside && !graph_.guard)
+    throw Unsuitable{"number " + std::to_string(index->offset) + " (counted from 0) of " + std::to_string(length), graph_.loc, false,
+                     "index-range"};
   if (index->op != Node::Affine || index->isConstant() || length < 0) return;
   Range r = bounds(index);
   if (!isTentative() && (r.lo < 0 || r.hi >= length)) irregular("an index leaves its array for some numbers of the loops");
