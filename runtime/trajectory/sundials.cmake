@@ -1,0 +1,21 @@
+# Sets eom_sundials to the libraries of SUNDIALS 6.1 or later that trajectories need, empty where there are none.
+set(parts cvodes arkode nvecserial sunmatrixdense sunlinsoldense sunnonlinsolfixedpoint)
+find_package(SUNDIALS CONFIG QUIET)
+if(SUNDIALS_FOUND AND SUNDIALS_VERSION VERSION_GREATER_EQUAL 6.1)
+  if(SUNDIALS_VERSION VERSION_GREATER_EQUAL 7)
+    list(APPEND parts core)
+  endif()
+  list(TRANSFORM parts PREPEND SUNDIALS:: OUTPUT_VARIABLE eom_sundials)
+  message(STATUS "runtime: SUNDIALS ${SUNDIALS_VERSION}")
+else() # its package may ask for an OpenMP that the compiler lacks, though nothing here uses it
+  include(CheckCSourceCompiles)
+  list(TRANSFORM parts PREPEND sundials_)
+  set(CMAKE_REQUIRED_LIBRARIES ${parts} m)
+  check_c_source_compiles("#include <cvodes/cvodes.h>
+    int main(void) { SUNContext context = 0; return CVodeCreate(CV_BDF, context) == 0; }" EOM_SUNDIALS_LINKS)
+  unset(CMAKE_REQUIRED_LIBRARIES)
+  if(EOM_SUNDIALS_LINKS)
+    set(eom_sundials ${parts})
+    message(STATUS "runtime: SUNDIALS in the compiler's own folders")
+  endif()
+endif()
