@@ -35,7 +35,7 @@ static void backward_differences_take_long_steps(void **state) {
   const flyball p = flyball_parameters();
   eom_system *sys;
   assert_int_equal(eom_system_create(&sys, &flyball_model, &p, NULL), EOM_OK);
-  double error, least = INFINITY;
+  double error, least = (double)INFINITY;
   const eom_trajectory_work explicit = run(sys, "dp5", 1e-5, &error);
   for (double tolerance = 1e-5; tolerance > 1e-8; tolerance /= 100) {
     const eom_trajectory_work work = run(sys, "cvode_bdf", tolerance, &error);
