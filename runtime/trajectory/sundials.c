@@ -1,6 +1,7 @@
 /* Trajectories by SUNDIALS (6.1 to 7): CVODE's Adams and BDF methods, and explicit Runge-Kutta methods of ARKODE.
  *
- * CVODE and ARKODE have the same functions under other names; a table of them is all that tells the two apart here. */
+ * CVODE and ARKODE have the same functions under other names; a table of them serves for all but the
+ * start. */
 #include "stepper.h"
 
 #include "eom/linearise.h"
@@ -39,7 +40,13 @@ typedef struct package {
   int (*interpolate)(void *memory, sunrealtype t, int derivative, N_Vector y);
   int (*begin_with)(void *memory, sunrealtype h);
   int (*stop_at)(void *memory, sunrealtype t);
+  int (*tolerances)(void *memory, sunrealtype rtol, N_Vector atol);
+  int (*watch)(void *memory, int count, int (*roots)(sunrealtype t, N_Vector y, sunrealtype *g, void *user));
+  int (*watch_direction)(void *memory, int *direction);
+  int (*watch_quietly)(void *memory);
   int (*roots_found)(void *memory, int *found);
+  int (*steps)(void *memory, long *count);
+  int (*rejected)(void *memory, long *count);
   void (*destroy)(void **memory);
 } package;
 
@@ -48,7 +55,7 @@ typedef struct sundials {
   const package *p;
   SUNContext context;
   void *memory; /* of the package */
-  N_Vector y, at, rtol, atol;
+  N_Vector y, at, atol;
   SUNMatrix J;
   SUNLinearSolver solver;
   SUNNonlinearSolver iteration;
@@ -91,9 +98,21 @@ static int jacobian(sunrealtype t, N_Vector y, N_Vector ydot, SUNMatrix J, void 
   return 0;
 }
 
-static const package cvode = {CVode, CVodeGetDky, CVodeSetInitStep, CVodeSetStopTime, CVodeGetRootInfo, CVodeFree};
-static const package arkode = {ERKSTEP(Evolve),      ERKSTEP(GetDky),      ERKSTEP(SetInitStep),
-                               ERKSTEP(SetStopTime), ERKSTEP(GetRootInfo), ERKSTEP(Free)};
+static const package cvode = {CVode,
+                              CVodeGetDky,
+                              CVodeSetInitStep,
+                              CVodeSetStopTime,
+                              CVodeSVtolerances,
+                              CVodeRootInit,
+                              CVodeSetRootDirection,
+                              CVodeSetNoInactiveRootWarn,
+                              CVodeGetRootInfo,
+                              CVodeGetNumSteps,
+                              CVodeGetNumErrTestFails,
+                              CVodeFree};
+static const package arkode = {ERKSTEP(Evolve),       ERKSTEP(GetDky),      ERKSTEP(SetInitStep),        ERKSTEP(SetStopTime),
+                               ERKSTEP(SVtolerances), ERKSTEP(RootInit),    ERKSTEP(SetRootDirection),   ERKSTEP(SetNoInactiveRootWarn),
+                               ERKSTEP(GetRootInfo),  ERKSTEP(GetNumSteps), ERKSTEP(GetNumErrTestFails), ERKSTEP(Free)};
 
 /* CVODE's projection: the change that the state needs. The error estimate stays as it is. */
 static int projection(sunrealtype t, N_Vector y, N_Vector change, sunrealtype tolerance, N_Vector error, void *user) {
@@ -126,18 +145,16 @@ static int set_tolerances(const eom_trajectory *r, const sundials *s) {
   const eom_step_control *c = &r->options.control;
   sunrealtype *atol = N_VGetArrayPointer(s->atol);
   for (int i = 0; i < r->dim; i++) atol[i] = c->atol_each ? c->atol_each[i] : c->atol;
-  return s->p == &cvode ? CVodeSVtolerances(s->memory, c->rtol, s->atol) : ERKSTEP(SVtolerances)(s->memory, c->rtol, s->atol);
+  return s->p->tolerances(s->memory, c->rtol, s->atol);
 }
 
 static int set_events(const eom_trajectory *r, const sundials *s) {
   const eom_events *events = r->options.events;
   if (!events) return 0;
   int *direction = (int *)(uintptr_t)events->direction; /* not changed */
-  int code = s->p == &cvode ? CVodeRootInit(s->memory, events->count, roots) : ERKSTEP(RootInit)(s->memory, events->count, roots);
-  if (code == 0 && direction)
-    code = s->p == &cvode ? CVodeSetRootDirection(s->memory, direction) : ERKSTEP(SetRootDirection)(s->memory, direction);
-  if (code != 0) return code;
-  return s->p == &cvode ? CVodeSetNoInactiveRootWarn(s->memory) : ERKSTEP(SetNoInactiveRootWarn)(s->memory);
+  int code = s->p->watch(s->memory, events->count, roots);
+  if (code == 0 && direction) code = s->p->watch_direction(s->memory, direction);
+  return code == 0 ? s->p->watch_quietly(s->memory) : code;
 }
 
 static int start_cvode(eom_trajectory *r, sundials *s, int implicit) {
@@ -261,13 +278,8 @@ static eom_status write_outputs(eom_trajectory *r, tl_real before) {
 /* As SUNDIALS counts. */
 static void count(const sundials *s, long *steps, long *rejected) {
   *steps = *rejected = 0;
-  if (s->p == &cvode) {
-    CVodeGetNumSteps(s->memory, steps);
-    CVodeGetNumErrTestFails(s->memory, rejected);
-  } else {
-    ERKSTEP(GetNumSteps)(s->memory, steps);
-    ERKSTEP(GetNumErrTestFails)(s->memory, rejected);
-  }
+  s->p->steps(s->memory, steps);
+  s->p->rejected(s->memory, rejected);
 }
 
 static eom_trajectory_work worked(const eom_trajectory *r) {
