@@ -356,17 +356,6 @@ static eom_status run(search *s) {
   }
 }
 
-/* The largest |x_i - was_i|, and whose. */
-static tl_real change_of(int n, const tl_real *x, const tl_real *was, int *most) {
-  tl_real change = TL_C(0.0);
-  *most = -1;
-  for (int i = 0; i < n; i++) {
-    const tl_real d = TL_LIBM(fabs)(x[i] - was[i]);
-    if (d > change) change = d, *most = i;
-  }
-  return change;
-}
-
 eom_status eom_find_equilibrium(eom_system *sys, tl_real *q, tl_real *qd, tl_real t, eom_equilibrium *equilibrium, void *memory,
                                 size_t bytes) {
   assert(sys && q && qd && equilibrium);
@@ -385,12 +374,12 @@ eom_status eom_find_equilibrium(eom_system *sys, tl_real *q, tl_real *qd, tl_rea
   memcpy(s.was_qd, qd, (size_t)n * sizeof(tl_real));
   const eom_status status = run(&s);
   for (int i = 0; i < n; i++) s.qdd[i] *= s.scale[i], s.x[i] = TL_C(0.0);
-  equilibrium->residual = change_of(n, s.qdd, s.x, &equilibrium->most_qdd);
+  equilibrium->residual = eom_largest_change(n, s.qdd, s.x, &equilibrium->most_qdd);
   if (status != EOM_OK) {
     memcpy(q, s.was_q, (size_t)n * sizeof(tl_real));
     memcpy(qd, s.was_qd, (size_t)n * sizeof(tl_real));
   }
-  equilibrium->change_q = change_of(n, q, s.was_q, &equilibrium->most_q);
-  equilibrium->change_qd = change_of(n, qd, s.was_qd, &equilibrium->most_qd);
+  equilibrium->change_q = eom_largest_change(n, q, s.was_q, &equilibrium->most_q);
+  equilibrium->change_qd = eom_largest_change(n, qd, s.was_qd, &equilibrium->most_qd);
   return status;
 }

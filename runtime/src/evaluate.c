@@ -104,6 +104,16 @@ eom_status eom_start_needing(eom_system *sys, unsigned need, const tl_real *q, c
   return sys->report.status = EOM_BAD_OPTION;
 }
 
+tl_real eom_largest_change(int n, const tl_real *x, const tl_real *was, int *most) {
+  tl_real change = TL_C(0.0);
+  *most = -1;
+  for (int i = 0; i < n; i++) {
+    const tl_real d = TL_LIBM(fabs)(x[i] - was[i]);
+    if (d > change) change = d, *most = i;
+  }
+  return change;
+}
+
 /* ---- failures ---- */
 
 static eom_status run_all(eom_system *sys, const eom_function *list, int count) {

@@ -19,6 +19,9 @@ eom_status eom_start(eom_system *sys, const tl_real *q, const tl_real *qd, tl_re
 /* The same for what the system must have been asked for: BAD_OPTION without that bit of options.needs. */
 eom_status eom_start_needing(eom_system *sys, unsigned need, const tl_real *q, const tl_real *qd, tl_real t);
 
+/* The largest |x_i - was_i| of n, and in *most whose; 0 and -1 where nothing changed. */
+tl_real eom_largest_change(int n, const tl_real *x, const tl_real *was, int *most);
+
 /* What a motion function returned at a state, as a status with its report. */
 eom_status eom_motion_verdict(eom_system *sys, int code, const tl_real *q, const tl_real *qd, tl_real t);
 

@@ -160,16 +160,6 @@ static void hold_rows(eom_system *sys, int was) {
   sys->report.rank = held->rank;
 }
 
-/* The largest change of x, and whose. */
-static void measure(int n, const tl_real *x, const tl_real *was, tl_real *change, int *most) {
-  *change = TL_C(0.0);
-  *most = -1;
-  for (int i = 0; i < n; i++) {
-    const tl_real d = TL_LIBM(fabs)(x[i] - was[i]);
-    if (d > *change) *change = d, *most = i;
-  }
-}
-
 /* After a step velocities may change by options.most_jump of the largest one so far; what rounding of coordinates makes of a system at
  * rest is no jump. */
 static eom_status judge_jump(eom_system *sys, const tl_real *q, const tl_real *qd) {
@@ -180,8 +170,7 @@ static eom_status judge_jump(eom_system *sys, const tl_real *q, const tl_real *q
   const tl_real rest = TL_LIBM(sqrt)(TL_EPSILON) * extent(sys, q);
   held->speed = TL_LIBM(fmax)(held->speed, extent(sys, qd));
   if (extent(sys, sys->qdd) <= TL_LIBM(fmax)(sys->options.most_jump * held->speed, rest)) return EOM_OK;
-  tl_real most;
-  measure(n, qd, was_qd, &most, &sys->report.index);
+  (void)eom_largest_change(n, qd, was_qd, &sys->report.index);
   return sys->report.status = EOM_VELOCITY_JUMP;
 }
 
@@ -222,8 +211,8 @@ eom_status eom_project(eom_system *sys, tl_real *q, tl_real *qd, tl_real t, eom_
     memcpy(qd, was_qd, bytes);
     sys->workspace->held = held;
   }
-  measure(n, q, was_q, &p->change_q, &p->most_q);
-  measure(n, qd, was_qd, &p->change_qd, &p->most_qd);
+  p->change_q = eom_largest_change(n, q, was_q, &p->most_q);
+  p->change_qd = eom_largest_change(n, qd, was_qd, &p->most_qd);
   return sys->report.status;
 }
 
