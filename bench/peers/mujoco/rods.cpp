@@ -1,7 +1,7 @@
 /* MuJoCo as a contender for the chain in Cartesian coordinates: masses on two sliders each, rods as spatial tendons whose length an
  * equality fixes. Its constraints are soft by design and leave out dA/dt qd, so that the accelerations are not those of the rods; the
  * default stiffness with the least softness that its manual allows is used. F: mj_forward. */
-#include "cartesian.h"
+#include "rods.h"
 #include "contender.h"
 
 #include <mujoco/mujoco.h>
@@ -47,16 +47,6 @@ int acceleration(void *self, const double *q, const double *qd, double *qdd) {
   return 0;
 }
 
-void to_native(void *self, const double *q, const double *qd, const double *, double *native_q, double *native_qd, double *) {
-  const chain &c = *static_cast<chain *>(self);
-  cartesian_state(c.n, c.length.data(), q, qd, native_q, native_qd);
-}
-
-void from_native(void *self, char, const double *q, const double *, double *qdd, double *, double *) {
-  const chain &c = *static_cast<chain *>(self);
-  angular_accelerations(c.n, c.length.data(), q, qdd);
-}
-
 } // namespace
 
 extern "C" int bench_open(const bench_case *problem, bench_contender *contender) {
@@ -67,6 +57,6 @@ extern "C" int bench_open(const bench_case *problem, bench_contender *contender)
   model->opt.disableflags = mjDSBL_CONTACT | mjDSBL_SPRING | mjDSBL_DAMPER | mjDSBL_ACTUATION | mjDSBL_SENSOR | mjDSBL_WARMSTART |
                             mjDSBL_ISLAND | mjDSBL_MIDPHASE;
   chain *c = new chain{problem->n, {problem->length, problem->length + problem->n}, model, mj_makeData(model)};
-  *contender = {c, 1, acceleration, nullptr, nullptr, to_native, from_native, 2 * problem->n, 1};
+  *contender = {c, 1, acceleration, nullptr, nullptr, to_rods<chain>, from_rods<chain>, 2 * problem->n, 1};
   return 0;
 }

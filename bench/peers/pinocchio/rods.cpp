@@ -1,7 +1,7 @@
 /* Pinocchio as a contender for the chain in Cartesian coordinates: point masses on two sliders each, rods as rows of a constraint
  * Jacobian that the caller fills, as Pinocchio's own constraints are contacts and loops of rigid bodies. F: forwardDynamics, which
  * factors M with its sparse Cholesky and J M^-1 J' densely. */
-#include "cartesian.h"
+#include "rods.h"
 #include "contender.h"
 #include "sliders.h"
 
@@ -63,20 +63,10 @@ int acceleration(void *self, const double *q, const double *qd, double *qdd) {
   return 0;
 }
 
-void to_native(void *self, const double *q, const double *qd, const double *, double *native_q, double *native_qd, double *) {
-  const chain &c = *static_cast<chain *>(self);
-  cartesian_state(c.n, c.length.data(), q, qd, native_q, native_qd);
-}
-
-void from_native(void *self, char, const double *q, const double *, double *qdd, double *, double *) {
-  const chain &c = *static_cast<chain *>(self);
-  angular_accelerations(c.n, c.length.data(), q, qdd);
-}
-
 } // namespace
 
 extern "C" int bench_open(const bench_case *problem, bench_contender *contender) {
   std::unique_ptr<chain> c(new chain(*problem));
-  *contender = {c.release(), 1, acceleration, nullptr, nullptr, to_native, from_native, 2 * problem->n};
+  *contender = {c.release(), 1, acceleration, nullptr, nullptr, to_rods<chain>, from_rods<chain>, 2 * problem->n};
   return 0;
 }
