@@ -1,14 +1,15 @@
 # taylor_add_model(TARGET SOURCES file.. DOF n|member [LAGRANGIAN f] [MODEL name] [FORCE f] [DISSIPATION f] [HOLONOMIC f[:rows]..]
 #                  [NONHOLONOMIC f[:rows]..] [ARGS role=name..] [RECURSION f:depth..] [RULES f:rule..]
 #                  [NEEDS need..] [SIZES member=n..] [PARAMETERS member..] [FORM registers|rows|auto] [LANES]
-#                  [INCLUDE_DIRECTORIES dir..] [COMPILE_DEFINITIONS def..] [SELFTEST])
+#                  [INCLUDE_DIRECTORIES dir..] [COMPILE_DEFINITIONS def..] [SELFTEST] [SHARED])
 #
 # Runs tlgen over plain C sources and makes a static library TARGET of the result. Programs that link it include <MODEL>_tl.h, which
 # declares <MODEL>_model; MODEL is TARGET's name where it is not given. NEEDS says which motion functions are printed
-# (energy simulate residual linearise tangent parameters; all, or none), SIZES for which sizes, PARAMETERS which members of the parameter
+# (energy simulate residual linearise tangent parameters; all of these, or none; taylor), SIZES for which sizes, PARAMETERS which members of the parameter
 # struct are differentiated by: tlgen --help has the defaults. LANES adds functions of several states at once. LAGRANGIAN is not needed
 # where the source marks the function with TLGEN(lagrangian). A change in a source or a header that it includes runs tlgen again. SELFTEST
 # also makes a program TARGET_selftest, which checks every derivative of the model at points that you name; `TARGET_selftest --help` says how.
+# SHARED also makes the shared object MODEL.so (target TARGET_shared) for the program eom: `eom run MODEL.so`.
 
 function(taylor_model_error target what)
   message(FATAL_ERROR "taylor_add_model(${target}): ${what}\nFor example:\n"
@@ -55,8 +56,15 @@ function(taylor_check_model target model)
   endif()
 endfunction()
 
+# Motion functions are made for vectors along rows, and for values in registers otherwise: vectors of unrelated scalars are slower, and
+# Clang 19 has been seen to get them wrong in long straight-line code.
+function(taylor_model_options target)
+  target_compile_options(${target} PRIVATE
+    $<$<C_COMPILER_ID:GNU>:-fno-math-errno;-fno-tree-slp-vectorize> $<$<C_COMPILER_ID:Clang>:-fno-math-errno;-fno-slp-vectorize>)
+endfunction()
+
 function(taylor_add_model target)
-  cmake_parse_arguments(PARSE_ARGV 1 arg "SELFTEST;LANES" "MODEL;DOF;LAGRANGIAN;FORCE;DISSIPATION;FORM"
+  cmake_parse_arguments(PARSE_ARGV 1 arg "SELFTEST;LANES;SHARED" "MODEL;DOF;LAGRANGIAN;FORCE;DISSIPATION;FORM"
     "NEEDS;SIZES;PARAMETERS;SOURCES;HOLONOMIC;NONHOLONOMIC;ARGS;RECURSION;RULES;INCLUDE_DIRECTORIES;COMPILE_DEFINITIONS")
   if(arg_UNPARSED_ARGUMENTS)
     list(JOIN arg_UNPARSED_ARGUMENTS " " unknown)
@@ -139,12 +147,19 @@ function(taylor_add_model target)
     COMMENT "tlgen ${arg_MODEL}_tl.c"
     COMMAND_EXPAND_LISTS VERBATIM)
   add_library(${target} STATIC ${output})
-  # Motion functions are made for vectors along rows, and for values in registers otherwise: vectors of unrelated scalars are slower, and
-  # Clang 19 has been seen to get them wrong in long straight-line code.
-  target_compile_options(${target} PRIVATE
-    $<$<C_COMPILER_ID:GNU>:-fno-math-errno;-fno-tree-slp-vectorize> $<$<C_COMPILER_ID:Clang>:-fno-math-errno;-fno-slp-vectorize>)
+  taylor_model_options(${target})
   target_include_directories(${target} PUBLIC ${folder} ${arg_INCLUDE_DIRECTORIES})
   target_link_libraries(${target} PUBLIC taylor::eom)
+  if(arg_SHARED) # what it calls of libtaylor is in the program that loads it
+    add_library(${target}_shared MODULE ${output})
+    taylor_model_options(${target}_shared)
+    set_target_properties(${target}_shared PROPERTIES PREFIX "" OUTPUT_NAME ${arg_MODEL})
+    target_compile_definitions(${target}_shared PRIVATE EOM_SHARED_MODEL)
+    target_include_directories(${target}_shared PRIVATE ${folder} ${arg_INCLUDE_DIRECTORIES}
+      $<TARGET_PROPERTY:taylor::eom,INTERFACE_INCLUDE_DIRECTORIES> $<TARGET_PROPERTY:taylor::taylor,INTERFACE_INCLUDE_DIRECTORIES>)
+    target_link_libraries(${target}_shared PRIVATE m)
+    add_dependencies(${target}_shared ${target}) # tlgen runs once
+  endif()
   if(arg_SELFTEST)
     add_executable(${target}_selftest ${test})
     set_target_properties(${target}_selftest PROPERTIES C_EXTENSIONS ON)

@@ -2,7 +2,9 @@
 
 build_packages=(cmake ninja-build gcc g++ pkg-config clang-19 llvm-19-dev libclang-19-dev liblapacke-dev libopenblas-dev
   libsundials-dev libcmocka-dev libmpfr-dev gnuplot-nox)
-check_packages=(clang-format-19 dpkg-dev git make python3 strace python3-mpmath valgrind)
+report_packages=(python3 python3-venv)
+check_packages=(chromium clang-format-19 dpkg-dev git make python3 strace python3-mpmath valgrind
+  gcc-arm-none-eabi libnewlib-arm-none-eabi qemu-system-arm cppcheck)
 
 # missing_packages NAME..: those that are not installed, one a line.
 missing_packages() {

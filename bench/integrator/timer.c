@@ -15,15 +15,12 @@
 #include <string.h>
 #include <time.h>
 
-#include "../../runtime/src/method.c" /* its numbers, as constants of the loop below */
 #ifdef GENERATED
 #include "pendulum_tl.h"
 #endif
 
-#define INLINE static inline __attribute__((always_inline))
-#define UNROLL _Pragma("GCC unroll 16")
-
-enum { S = 12, MOST = 2 * LINKS };
+enum { MOST = 2 * LINKS };
+#include "hand/dop853.h"
 
 /* One problem, whose right-hand side is known to the compiler for the oscillator alone. */
 typedef struct problem {
@@ -35,79 +32,18 @@ typedef struct problem {
   double start[MOST], t_end;
 } problem;
 
-/* ---- the loop by hand: a step per function, all coefficients and zeros known ---- */
+/* ---- the loop by hand ---- */
 
-typedef struct hand {
-  double k[S + 1][MOST], y[MOST], y1[MOST];
-  double error, log_error;
-  long steps, rejected;
-} hand;
-
-#define WEIGHTED(w, count)                                                                                                             \
-  double sum = 0.0;                                                                                                                    \
-  UNROLL for (int j = 0; j < (count); j++) if ((w)[j] != 0.0) sum += (w)[j] * z->k[j][c]
-
-INLINE void point(hand *z, int dim, double h, int i) {
-  for (int c = 0; c < dim; c++) {
-    WEIGHTED(dop853_a + i * (i - 1) / 2, i);
-    z->y1[c] = z->y[c] + h * sum;
+DOP853_INLINE void hand_run(dop853 *z, const problem *p, eom_rhs_fn *rhs, int dim, double h, double tol) {
+  dop853_start(z, rhs, p->user, dim, 0.0, p->start, h);
+  if (tol > 0.0) {
+    for (double t = 0.0; t < p->t_end;) t = dop853_good_step(z, rhs, p->user, dim, dim, t, p->t_end, tol);
+    return;
   }
-}
-
-INLINE double squares(const hand *z, int dim, double tol, const double *e) {
-  double total = 0.0;
-  for (int c = 0; c < dim; c++) {
-    WEIGHTED(e, S);
-    const double scaled = sum / (tol + tol * fmax(fabs(z->y[c]), fabs(z->y1[c])));
-    total += scaled * scaled;
+  for (long n = lround(p->t_end / h); z->steps < n;) {
+    dop853_step(z, rhs, p->user, dim, dim, (double)z->steps * h, h, 0.0);
+    dop853_take(z, rhs, p->user, dim, (double)(z->steps + 1) * h);
   }
-  return total;
-}
-
-INLINE void hand_step(hand *z, const problem *p, eom_rhs_fn *rhs, int dim, double t, double h, double tol) {
-  UNROLL for (int i = 1; i < S; i++) {
-    point(z, dim, h, i);
-    rhs(p->user, t + dop853_c[i] * h, z->y1, z->k[i]);
-  }
-  point(z, dim, h, S);
-  if (tol == 0.0) return;
-  const double high = squares(z, dim, tol, dop853_error), low = squares(z, dim, tol, dop853_error + S + 1);
-  z->error = high > 0.0 ? fabs(h) * high / sqrt((high + 0.01 * low) * dim) : 0.0;
-}
-
-INLINE void take(hand *z, const problem *p, eom_rhs_fn *rhs, int dim, double t1) {
-  rhs(p->user, t1, z->y1, z->k[0]);
-  memcpy(z->y, z->y1, (size_t)dim * sizeof *z->y);
-  z->steps++;
-}
-
-INLINE void hand_run(hand *z, const problem *p, eom_rhs_fn *rhs, int dim, double h, double tol) {
-  memset(z, 0, sizeof *z);
-  memcpy(z->y, p->start, (size_t)dim * sizeof *z->y);
-  rhs(p->user, 0.0, z->y, z->k[0]);
-  if (tol == 0.0)
-    for (long n = lround(p->t_end / h); z->steps < n;) {
-      hand_step(z, p, rhs, dim, (double)z->steps * h, h, 0.0);
-      take(z, p, rhs, dim, (double)(z->steps + 1) * h);
-    }
-  else
-    for (double t = 0.0, most = 6.0; t < p->t_end;) {
-      const int last = t + 1.01 * h >= p->t_end;
-      const double t1 = last ? p->t_end : t + h;
-      hand_step(z, p, rhs, dim, t, t1 - t, tol);
-      if (z->error > 1.0) {
-        z->rejected++;
-        h = (t1 - t) * fmax(0.2, 0.9 * pow(z->error, -0.125));
-        most = 1.0;
-        continue;
-      }
-      take(z, p, rhs, dim, t1);
-      const double log_error = log2(fmax(z->error, 1e-300));
-      h = (t1 - t) * fmin(fmax(0.9 * exp2((0.2 * z->log_error - 0.85 * log_error) / 8.0), 0.2), most);
-      z->log_error = log2(fmax(z->error, 1e-4));
-      most = 6.0;
-      t = t1;
-    }
 }
 
 /* ---- problems ---- */
@@ -147,7 +83,7 @@ static double seconds(void) {
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-static hand by_hand;
+static dop853 by_hand;
 static double work[32 * (MOST + 8)];
 
 static void run_by_hand(const problem *p, double h, double tol) {

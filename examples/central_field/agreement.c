@@ -3,7 +3,7 @@
 
 #include "central_field_reduced_tl.h"
 #include "central_field_tl.h"
-#include "common/message.h"
+#include "host/message.h"
 
 #include <math.h>
 #include <stdbool.h>

@@ -1,9 +1,9 @@
 /* central_field: the equations of constrained motion in a central field beside their closed form, then an orbit (paper, sect. 5.1). */
 #include "agreement.h"
-#include "common/interrupt.h"
-#include "common/message.h"
-#include "common/options.h"
-#include "common/output.h"
+#include "host/interrupt.h"
+#include "host/message.h"
+#include "host/options.h"
+#include "host/output.h"
 #include "orbit.h"
 
 #include <math.h>

@@ -2,10 +2,10 @@
 #include "orbit.h"
 
 #include "agreement.h"
-#include "common/interrupt.h"
-#include "common/message.h"
-#include "common/output.h"
-#include "common/progress.h"
+#include "host/interrupt.h"
+#include "host/message.h"
+#include "host/output.h"
+#include "host/progress.h"
 
 #include <math.h>
 #include <stdlib.h>

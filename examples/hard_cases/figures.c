@@ -1,8 +1,8 @@
 /* The figures: time against error, and what keeps the constraints. */
 #include "figures.h"
 
-#include "common/gnuplot.h"
-#include "common/message.h"
+#include "host/gnuplot.h"
+#include "host/message.h"
 #include "run.h"
 
 #include <math.h>

@@ -1,8 +1,8 @@
 /* hard_cases: mechanisms that break careless solvers, each beside its truth. */
-#include "common/interrupt.h"
-#include "common/message.h"
-#include "common/options.h"
 #include "figures.h"
+#include "host/interrupt.h"
+#include "host/message.h"
+#include "host/options.h"
 #include "report.h"
 
 #include <math.h>

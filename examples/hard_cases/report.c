@@ -1,8 +1,8 @@
 /* What is printed: the list of scenes, and the tables of runs. */
 #include "report.h"
 
-#include "common/message.h"
-#include "common/output.h"
+#include "host/message.h"
+#include "host/output.h"
 
 #include <stdio.h>
 

@@ -1,15 +1,12 @@
 /* A run of a scene: integration with projection onto the constraints, and the largest errors on the way. */
 #include "run.h"
 
-#include "common/interrupt.h"
-#include "common/progress.h"
+#include "host/interrupt.h"
+#include "host/progress.h"
 
 #include <math.h>
 #include <stdlib.h>
 #include <time.h>
-
-/* Two times that differ by less, in parts of the duration, are the same. */
-static const double same_time = 1e-9;
 
 /* A run under way. */
 typedef struct course {
@@ -27,31 +24,8 @@ static double now(void) {
   return (double)t.tv_sec + 1e-9 * (double)t.tv_nsec;
 }
 
-/* Whether there is a truth at t, and its values. */
-static bool truth_at(const scene *s, double t, double *value) {
-  if (s->truth != NULL) s->truth(t, value);
-  for (int i = 0; s->truth == NULL && i < s->ndigits; i++) {
-    if (fabs(s->digits[i].t - t) > same_time * s->duration) continue;
-    for (int k = 0; k < s->values; k++) value[k] = s->digits[i].value[k];
-    return true;
-  }
-  return s->truth != NULL;
-}
-
 /* A NaN is larger than every number. */
 static double larger(double a, double b) { return b <= a || isnan(a) ? a : b; }
-
-/* NaN where there is no truth. */
-static double error_at(const scene *s, double t, const double *y) {
-  double truth[SCENE_MOST_VALUES], value[SCENE_MOST_VALUES], worst = 0.0;
-  if (!truth_at(s, t, truth)) return (double)NAN;
-  s->measure(y, value);
-  for (int i = 0; i < s->values; i++) {
-    const double error = fabs(value[i] - truth[i]) / fmax(fabs(truth[i]), s->floor);
-    worst = larger(worst, isnan(error) ? HUGE_VAL : error);
-  }
-  return worst;
-}
 
 static double largest(const double *x, int count) {
   double most = 0.0;
@@ -71,7 +45,7 @@ static eom_status observe(course *c) {
   run *r = c->r;
   eom_system *sys = c->sys;
   const double *y = c->it.y, t = c->it.t;
-  run_row row = {.t = t, .error = error_at(c->scene, t, y)};
+  run_row row = {.t = t, .error = scene_error(c->scene, t, y)};
   eom_status status = eom_assemble(sys, y, y + sys->n, t);
   if (status == EOM_OK) status = eom_solve(sys);
   if (status != EOM_OK) return status;

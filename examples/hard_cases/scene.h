@@ -6,7 +6,7 @@
 
 #include <stdbool.h>
 
-enum { SCENE_MOST_COORDINATES = 128, SCENE_MOST_VALUES = 4 };
+enum { SCENE_MOST_COORDINATES = 128, SCENE_MOST_VALUES = 6 };
 
 /* Reference digits at one time. */
 typedef struct scene_digits {
@@ -57,5 +57,8 @@ extern const int nscenes;
 
 /* The scene of that name, or null. */
 const scene *scene_find(const char *name);
+
+/* The error of the state y = (q,qd) at t; NaN where there is no truth then. */
+double scene_error(const scene *s, double t, const double *y);
 
 #endif

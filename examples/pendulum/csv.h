@@ -2,7 +2,7 @@
 #ifndef PENDULUM_CSV_H
 #define PENDULUM_CSV_H
 
-#include "common/output.h"
+#include "host/output.h"
 #include "run.h"
 
 /* Opens the file and writes the header t,lambda_1,..,lambda_2N,energy_error,orthogonality_error, so that a place that cannot be written

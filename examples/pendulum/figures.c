@@ -1,8 +1,8 @@
 /* The figures of the demonstration, after Figs 3, 4 and 5 of the paper. */
 #include "figures.h"
 
-#include "common/gnuplot.h"
-#include "common/message.h"
+#include "host/gnuplot.h"
+#include "host/message.h"
 
 #include <math.h>
 

@@ -1,9 +1,9 @@
 /* The folder of --figures: all figures, and the rows of every run. */
 #include "folder.h"
 
-#include "common/message.h"
 #include "csv.h"
 #include "figures.h"
+#include "host/message.h"
 
 #include <errno.h>
 #include <string.h>

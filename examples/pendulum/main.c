@@ -1,11 +1,11 @@
 /* pendulum: the Lyapunov exponents of the planar N-pendulum, computed from nothing but its Lagrangian in plain C. */
-#include "common/gnuplot.h"
-#include "common/interrupt.h"
-#include "common/message.h"
-#include "common/options.h"
 #include "csv.h"
 #include "figures.h"
 #include "folder.h"
+#include "host/gnuplot.h"
+#include "host/interrupt.h"
+#include "host/message.h"
+#include "host/options.h"
 #include "table1.h"
 #include "workers.h"
 
@@ -61,8 +61,9 @@ static command read_command(int argc, char **argv) {
        .value = &c.step,
        .most = HUGE_VAL,
        .operand = "H",
-       .help = "fixed step of the integration, s; default: chosen so that the energy\n"
-               "error stays below 1e-6 J; with --scheme paper 0.05, as in the paper"},
+       .help = "fixed step of the integration by the fifth-order method, s; default: steps\n"
+               "of order 8, chosen so that the energy error stays below 1e-6 J; with\n"
+               "--scheme paper 0.05, as in the paper"},
       {.name = "--theta0",
        .kind = OPTION_REAL,
        .value = &c.theta0,

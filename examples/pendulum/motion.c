@@ -1,17 +1,11 @@
-/* The motion alone, without tangents: for the choice of a step and for the fate of a trajectory. */
+/* The motion alone, without tangents, in fixed steps: for the fate of a trajectory. */
 #include "motion.h"
 
-#include "common/interrupt.h"
+#include "host/interrupt.h"
 #include "pendulum_tl.h"
 
 #include <math.h>
 #include <stdlib.h>
-
-static const double first_step = 0.02; /* s: about a hundredth of the period of one link */
-static const double trial_time = 20.0; /* s: some ten swings */
-static const double safety = 0.2;      /* of the bound that a trial may use up: chaotic motion has worse moments to come */
-
-enum { MOST_TRIALS = 12 };
 
 typedef struct watch {
   eom_system *sys;
@@ -55,18 +49,4 @@ motion motion_do(const run_request *ask, double step, double t_end, double bound
   eom_system_destroy(w.sys);
   free(work);
   return m;
-}
-
-/* The energy error grows as time and as the fifth power of the step. */
-double choose_step(const run_request *ask) {
-  double trial = fmin(trial_time, ask->t_end);
-  double allowed = safety * energy_bound * trial / ask->t_end;
-  double step = first_step;
-  for (int i = 0; i < MOST_TRIALS && !interrupted(); i++) {
-    motion m = motion_do(ask, step, trial, HUGE_VAL);
-    if (m.status == EOM_OK && m.worst_energy_error <= allowed) break;
-    double shrink = m.status == EOM_OK ? 0.95 * pow(allowed / m.worst_energy_error, 0.2) : 0.5;
-    step *= fmax(shrink, 0.1);
-  }
-  return step;
 }

@@ -1,4 +1,4 @@
-/* The motion alone, without tangents: for the choice of a step and for the fate of a trajectory. */
+/* The motion alone, without tangents, in fixed steps: for the fate of a trajectory. */
 #ifndef PENDULUM_MOTION_H
 #define PENDULUM_MOTION_H
 
@@ -12,9 +12,5 @@ typedef struct motion {
 
 /* Integrates the pendulum of a request with the given step until t_end, the energy error exceeds bound, or the user interrupts. */
 motion motion_do(const run_request *ask, double step, double t_end, double bound);
-
-/* A step for a run of ask that should keep the energy error below energy_bound until ask->t_end, chosen by trial over the run's first
- * part. Where even that fails (no motion, user's interrupt) it is the last step tried. */
-double choose_step(const run_request *ask);
 
 #endif

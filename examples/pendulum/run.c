@@ -1,9 +1,8 @@
 /* One run: the Lyapunov exponents of one pendulum along its motion, row by row. */
 #include "run.h"
 
-#include "common/interrupt.h"
-#include "common/message.h"
-#include "motion.h"
+#include "host/interrupt.h"
+#include "host/message.h"
 #include "pendulum_tl.h"
 
 #include <math.h>
@@ -13,9 +12,11 @@ const double energy_bound = 1e-6;
 const double paper_step = 0.05;
 const double paper_theta0 = 75.0, paper_time = 1000.0;
 
-static const double g = 9.81;           /* m/s^2 */
-static const double rounding = 1e-12;   /* relative, of a quotient of two times that stands for a whole number */
-static const double shorter_step = 0.7; /* of a step that turned out too long: leaves a sixth of its energy error */
+static const double g = 9.81;                /* m/s^2 */
+static const double rounding = 1e-12;        /* relative, of a quotient of two times that stands for a whole number */
+static const double first_tolerance = 1e-11; /* of chosen steps, rad and rad/s, */
+static const double tighter = 0.1;           /* and this part of it where the energy error turned out too large */
+static const double marks_per_row = 4.0;     /* where steps are chosen */
 
 int run_width(const run *r) { return 2 * r->ask.links + 3; }
 
@@ -28,18 +29,20 @@ struct pendulum run_pendulum(int links) {
 /* How many parts of at most the given length make up the whole. */
 static double whole_parts(double whole, double part) { return ceil(whole / part * (1.0 - rounding)); }
 
-/* The number of rows of the whole run, and the number of the step nearest to the time of row i; the last row is at t_end. */
+/* The number of rows of the whole run, and the number of the mark nearest to the time of row i; the last row is at t_end. */
 static long row_count(const run_request *ask) { return (long)whole_parts(ask->t_end, ask->every); }
 
-static long step_of_row(const run *r, long i, long steps) {
-  return i >= row_count(&r->ask) ? steps : lround((double)i * r->ask.every / r->step);
+static long mark_of_row(const run *r, long i, long marks) {
+  return i >= row_count(&r->ask) ? marks : lround((double)i * r->ask.every / r->mark);
 }
 
-/* Takes stock after a step. */
+/* Takes stock at a mark. */
 static void measure(run *r, const eom_lyapunov *ly) {
+  eom_lyapunov_checks checks;
   r->t = ly->t;
   r->energy_error = fabs(ly->energy - ly->energy0);
-  r->orthogonality_error = eom_lyapunov_orthogonality(ly);
+  eom_lyapunov_check(ly, &checks);
+  r->orthogonality_error = checks.orthogonality;
   r->worst_energy_error = fmax(r->worst_energy_error, r->energy_error);
   if (r->orthogonality_error > 1.0 && r->t_orthogonality_lost < 0.0) r->t_orthogonality_lost = r->t;
 }
@@ -54,61 +57,73 @@ static void keep_row(run *r, const eom_lyapunov *ly) {
 }
 
 static void conclude(run *r, const eom_lyapunov *ly) {
+  eom_lyapunov_checks checks;
   eom_lyapunov_exponents(ly, r->lambda);
   r->blocks = eom_lyapunov_interval(ly, 0, &r->mean, &r->half_width);
-  r->sum_error = eom_lyapunov_sum_error(ly);
-  r->pairing_error = eom_lyapunov_pairing_error(ly);
+  eom_lyapunov_check(ly, &checks);
+  r->sum_error = checks.sum_error;
+  r->pairing_error = checks.pairing_error;
 }
 
-static bool over_bound(const run *r) { return r->ask.step == 0.0 && r->worst_energy_error > energy_bound; }
+static bool chooses(const run *r) { return r->ask.step == 0.0; }
 
-/* Steps until t_end or until something ends the run; leaves r->end. */
+static bool over_bound(const run *r) { return chooses(r) && r->worst_energy_error > energy_bound; }
+
+/* Goes on until t_end or until something ends the run; leaves r->end. */
 static void advance(run *r, eom_lyapunov *ly) {
-  long steps = lround(r->ask.t_end / r->step);
-  long next_row = step_of_row(r, 1, steps);
+  long marks = lround(r->ask.t_end / r->mark);
+  long next_row = mark_of_row(r, 1, marks);
   r->end = RUN_COMPLETE;
-  for (long i = 1; i <= steps && r->end == RUN_COMPLETE && !over_bound(r); i++) {
+  for (long i = 1; i <= marks && r->end == RUN_COMPLETE && !over_bound(r); i++) {
     r->status = eom_lyapunov_step(ly);
     if (r->status != EOM_OK) {
       r->end = r->status == EOM_NOT_FINITE ? RUN_OVERFLOWED : RUN_FAILED;
       break;
     }
     measure(r, ly);
-    r->done = (double)i / (double)steps;
+    r->done = (double)i / (double)marks;
     if (interrupted()) r->end = RUN_INTERRUPTED;
     if (i == next_row) {
       keep_row(r, ly);
-      next_row = step_of_row(r, r->nrow + 1, steps);
+      next_row = mark_of_row(r, r->nrow + 1, marks);
     }
   }
   bool kept = r->nrow > 0 && r->rows[(r->nrow - 1) * run_width(r)] == r->t;
   if (r->end != RUN_COMPLETE && r->t > 0.0 && !kept) keep_row(r, ly); /* the last state that there was */
 }
 
-/* The whole run with the step r->step, shortened a little where t_end is not a whole number of steps away. */
-static void attempt(run *r, eom_system *sys) {
+/* A fixed step as the paper's, shortened a little where t_end is not a whole number of steps away; or chosen ones. */
+static eom_lyapunov_options options_of(run *r, double tolerance) {
   eom_lyapunov_options options = eom_lyapunov_options_default();
+  double part = chooses(r) ? fmin(r->ask.every, r->ask.t_end) / marks_per_row : r->ask.step;
+  r->mark = r->ask.t_end / whole_parts(r->ask.t_end, part);
+  options.scheme = r->ask.scheme;
+  options.interval = r->mark;
+  options.control = (eom_step_control){.rtol = tolerance, .atol = tolerance};
+  if (!chooses(r)) {
+    options.method = &eom_dp5;
+    options.h = r->mark;
+  }
+  return options;
+}
+
+/* The whole run. */
+static void attempt(run *r, eom_system *sys, double tolerance) {
+  eom_lyapunov_options options = options_of(r, tolerance);
   eom_lyapunov *ly;
   double y[2 * PENDULUM_MAX_LINKS] = {r->ask.theta0};
 
-  options.scheme = r->ask.scheme;
-  r->step = r->ask.t_end / whole_parts(r->ask.t_end, r->step);
   r->nrow = 0;
   r->worst_energy_error = 0.0;
   r->t_orthogonality_lost = -1.0;
-  r->status = eom_lyapunov_create(&ly, sys, &options, 0.0, y, r->step);
+  r->step = r->mark;
+  r->status = eom_lyapunov_create(&ly, sys, &options, 0.0, y);
   r->end = RUN_FAILED;
   if (r->status != EOM_OK) return;
   advance(r, ly);
   conclude(r, ly);
+  if (ly->it.steps > 0) r->step = r->t / (double)ly->it.steps;
   eom_lyapunov_destroy(ly);
-}
-
-/* The step: what was asked for, or the longest that divides the time from row to row and should keep the energy. */
-static double starting_step(const run_request *ask) {
-  if (ask->step > 0.0) return ask->step;
-  double row = fmin(ask->every, ask->t_end);
-  return row / whole_parts(row, choose_step(ask));
 }
 
 void run_do(run *r) {
@@ -120,12 +135,9 @@ void run_do(run *r) {
   r->rows = calloc((size_t)row_count(&r->ask) + 1, (size_t)run_width(r) * sizeof *r->rows);
   if (r->rows != NULL) r->status = eom_system_create(&sys, &pendulum_model, &p, NULL);
   if (r->rows != NULL && r->status == EOM_OK) {
-    r->step = starting_step(&r->ask);
-    attempt(r, sys);
-    while (r->end == RUN_COMPLETE && over_bound(r)) {
-      r->step *= shorter_step;
-      attempt(r, sys);
-    }
+    double tolerance = first_tolerance;
+    attempt(r, sys, tolerance);
+    while (r->end == RUN_COMPLETE && over_bound(r)) attempt(r, sys, tolerance *= tighter);
     r->report = sys->report;
   }
   r->done = 1.0;

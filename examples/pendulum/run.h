@@ -13,12 +13,12 @@ typedef struct run_request {
   int links;
   double theta0; /* of the first link, rad; the other links hang down, all are at rest */
   double t_end;  /* s */
-  double step;   /* s; 0: the longest that keeps the energy error below ENERGY_BOUND */
+  double step;   /* fixed, s; 0: steps are chosen, so that the energy error stays below energy_bound */
   double every;  /* time from row to row, s */
   eom_lyapunov_scheme scheme;
 } run_request;
 
-/* Largest energy error, J, of a run that chooses its step itself. */
+/* Largest energy error, J, of a run that chooses its steps itself. */
 extern const double energy_bound;
 
 /* The step that the paper states for its Table 1, s. */
@@ -45,7 +45,8 @@ typedef struct run {
   run_end end;
   eom_status status;
   eom_report report;                        /* where status is not EOM_OK */
-  double step;                              /* taken, s */
+  double step;                              /* taken, s; the mean where steps are chosen */
+  double mark;                              /* s: after each of these times the run is measured: a fixed step, or a part of a row */
   double t;                                 /* reached, s */
   double energy_error, orthogonality_error; /* at t: |E-E0|, J, and max |Q'Q-I| */
   double worst_energy_error;                /* up to t, J */

@@ -1,11 +1,11 @@
 /* The paper's Table 1 beside what its own scheme gives and beside the exponents. */
 #include "table1.h"
 
-#include "common/message.h"
-#include "common/output.h"
 #include "csv.h"
 #include "figures.h"
 #include "folder.h"
+#include "host/message.h"
+#include "host/output.h"
 #include "motion.h"
 #include "workers.h"
 
@@ -16,6 +16,10 @@ static const double printed[TABLE1_LINKS] = {3e-5, 0.1, 0.8, 1.4, 2.2, 3.1};
 
 /* A step at which the printed scheme need not overflow, s, and the part of t_end over which it is followed. */
 static const double shorter_step = 0.002, shorter_part = 0.5;
+
+/* A value is held against an interval only where it is further than this many half-widths from its middle: motion that wanders slowly
+ * between regions, as that of two links does, moves the mean of 1000 s by more than its own blocks tell. */
+static const double doubt = 2.0;
 
 /* An orthogonality error that is more than rounding and the error of a step: directions off by a degree. */
 static const double notable_loss = 0.02;
@@ -100,10 +104,10 @@ static bool stopped(const entry *entries, int links) {
 /* Whether there is an interval of the exponent, over the whole time. */
 static bool has_interval(const entry *e) { return e->exponents.end == RUN_COMPLETE && e->exponents.blocks > 0; }
 
-/* Whether the printed value lies in the interval of the exponent; false where there is no interval. */
+/* Whether the printed value is near the interval of the exponent; false where there is no interval. */
 static bool holds(const entry *e) {
   const run *r = &e->exponents;
-  return has_interval(e) && fabs(printed[r->ask.links - 1] - r->mean) <= r->half_width;
+  return has_interval(e) && fabs(printed[r->ask.links - 1] - r->mean) <= doubt * r->half_width;
 }
 
 /* How a run that has not come to its end came to it; empty for the others. */
@@ -178,8 +182,8 @@ static void print_exponents_head(const run_request *each) {
   if (each->step > 0.0)
     printf(" Q re-orthonormalised, step %g s\n", each->step);
   else
-    printf(" Q re-orthonormalised, step chosen so that |E-E0| stays below %g J\n", energy_bound);
-  printf(" N %s  lambda_1(t)  95 %% interval         step, s   |E-E0|%s\n", compared ? "  Table 1" : "",
+    printf(" Q re-orthonormalised, steps chosen so that |E-E0| stays below %g J\n", energy_bound);
+  printf(" N %s  lambda_1(t)  95 %% interval         mean step |E-E0|%s\n", compared ? "  Table 1" : "",
          compared ? "    Table 1 is" : "");
 }
 
@@ -242,7 +246,7 @@ static bool loses(const entry *e) {
 /* And gives more than the exponent without an overflow. */
 static bool inflated(const entry *e) {
   const run *s = &e->shorter, *r = &e->exponents;
-  return loses(e) && s->end == RUN_COMPLETE && has_interval(e) && s->lambda[0] > r->mean + r->half_width;
+  return loses(e) && s->end == RUN_COMPLETE && has_interval(e) && s->lambda[0] > r->mean + doubt * r->half_width;
 }
 
 /* "N = 1, 2" of the entries that pass the test. */
@@ -285,8 +289,8 @@ static void print_scope(const run_request *each) {
 
 /* Table 1 beside the intervals. */
 static void print_comparison(const entry *entries, int links) {
-  print_sentence("Table 1 is inside the interval of the exponent for", entries, links, holds, ".");
-  print_sentence("Table 1 is outside the interval of the exponent for", entries, links, outside, ".");
+  print_sentence("Table 1 is inside twice the interval of the exponent for", entries, links, holds, ".");
+  print_sentence("Table 1 is outside twice the interval of the exponent for", entries, links, outside, ".");
 }
 
 /* What becomes of the printed scheme; an overflow within a shorter time is one within the paper's too. */

@@ -1,7 +1,7 @@
 /* Independent tasks on all processors, with progress. */
 #include "workers.h"
 
-#include "common/progress.h"
+#include "host/progress.h"
 
 #include <pthread.h>
 #include <stdatomic.h>

@@ -10,31 +10,58 @@
 
 /* ---- energy ---- */
 
-/* p_i = [t_ui] L, E = p.qd - L from a jet of L with tangents on qd. */
-static void read_energy(eom_system *sys, const tl_real *jet, const tl_shape *shape, const tl_real *qd) {
-  memcpy(sys->momentum, jet + shape->start[1], (size_t)sys->n * sizeof(tl_real));
-  sys->lagrangian = jet[0];
-  tl_real e = -jet[0];
+/* sum -= [t_u] D. */
+static eom_status add_dissipation(eom_system *sys, tl_real *sum, const tl_real *q, const tl_real *qd, tl_real t) {
+  const eom_workspace *ws = sys->workspace;
+  eom_stage_seed(sys, STAGE_DISSIPATION, q, qd, NULL, t);
+  if (eom_stage_run(sys, &sys->model->dissipation) != EOM_OK) return sys->report.status;
+  const tl_real *row = ws->jet_out + ws->stage[STAGE_DISSIPATION].shape->start[1];
+  for (int i = 0; i < sys->n; i++) sum[i] -= row[i];
+  return EOM_OK;
+}
+
+/* sum += Gamma - [t_u] D. */
+static eom_status add_forces(eom_system *sys, tl_real *sum, const tl_real *q, const tl_real *qd, tl_real t) {
+  const eom_workspace *ws = sys->workspace;
+  if (sys->model->force.jet) {
+    eom_stage_seed(sys, STAGE_GAMMA, q, qd, NULL, t);
+    if (eom_stage_run(sys, &sys->model->force) != EOM_OK) return sys->report.status;
+    for (int i = 0; i < sys->n; i++) sum[i] += ws->jet_out[i];
+  }
+  if (sys->model->dissipation.jet && add_dissipation(sys, sum, q, qd, t) != EOM_OK) return sys->report.status;
+  return eom_check_finite(sys, "generalized force", sum, sys->n);
+}
+
+/* E = p.qd - L, where L is value and p stands in by_qd. */
+static void read_energy(eom_system *sys, tl_real value, const tl_real *by_qd, const tl_real *qd) {
+  memcpy(sys->momentum, by_qd, (size_t)sys->n * sizeof(tl_real));
+  sys->lagrangian = value;
+  tl_real e = -value;
   for (int i = 0; i < sys->n; i++) e += sys->momentum[i] * qd[i];
   sys->energy = e;
 }
 
+/* By the first derivatives of L. */
 static eom_status energy_by_calls(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
   eom_workspace *ws = sys->workspace;
+  const int n = sys->n;
   eom_stage_seed(sys, STAGE_ENERGY, q, qd, NULL, t);
   if (eom_stage_run(sys, &sys->model->lagrangian) != EOM_OK) return sys->report.status;
-  read_energy(sys, ws->jet_out, ws->stage[STAGE_ENERGY].shape, qd);
-  return eom_check_finite(sys, "energy", &sys->energy, 1);
+  const tl_real *row = ws->jet_out + ws->stage[STAGE_ENERGY].shape->start[1];
+  memcpy(sys->momentum_rate, row, (size_t)n * sizeof(tl_real));
+  read_energy(sys, ws->jet_out[0], row + n, qd);
+  if (eom_check_finite(sys, "energy", &sys->energy, 1) != EOM_OK) return sys->report.status;
+  return add_forces(sys, sys->momentum_rate, q, qd, t);
 }
 
 static eom_status energy_by_motion(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
-  const int code =
-      sys->motion->energy(sys->params, q, qd, t, sys->momentum, &sys->lagrangian, &sys->energy, sys->workspace->motion_work);
+  const int code = sys->motion->energy(sys->params, q, qd, t, sys->momentum, sys->momentum_rate, &sys->lagrangian, &sys->energy,
+                                       sys->workspace->motion_work);
   return eom_motion_verdict(sys, code, q, qd, t);
 }
 
 static eom_status energy(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
-  return (eom_by_motion(sys, EOM_TASK_ENERGY) ? energy_by_motion : energy_by_calls)(sys, q, qd, t);
+  return eom_by_motion(sys, EOM_TASK_ENERGY) ? energy_by_motion(sys, q, qd, t) : energy_by_calls(sys, q, qd, t);
 }
 
 eom_status eom_energy(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
@@ -58,35 +85,23 @@ static eom_status assemble_mass(eom_system *sys, const tl_real *q, const tl_real
   eom_stage_seed(sys, STAGE_MASS, q, qd, NULL, t);
   if (eom_stage_run(sys, &sys->model->lagrangian) != EOM_OK) return sys->report.status;
   read_mass(sys, ws->jet_out, ws->stage[STAGE_MASS].shape);
-  read_energy(sys, ws->jet_out, ws->stage[STAGE_MASS].shape, qd);
+  read_energy(sys, ws->jet_out[0], ws->jet_out + ws->stage[STAGE_MASS].shape->start[1], qd);
   if (eom_check_finite(sys, "energy", &sys->energy, 1) != EOM_OK) return sys->report.status;
   return eom_check_finite(sys, "mass matrix", sys->M, sys->n * sys->n);
 }
 
-/* sum -= [t_u] D. */
-static eom_status add_dissipation(eom_system *sys, tl_real *sum, const tl_real *q, const tl_real *qd, tl_real t) {
-  const eom_workspace *ws = sys->workspace;
-  eom_stage_seed(sys, STAGE_DISSIPATION, q, qd, NULL, t);
-  if (eom_stage_run(sys, &sys->model->dissipation) != EOM_OK) return sys->report.status;
-  const tl_real *row = ws->jet_out + ws->stage[STAGE_DISSIPATION].shape->start[1];
-  for (int i = 0; i < sys->n; i++) sum[i] -= row[i];
-  return EOM_OK;
-}
-
-/* Q - M qdd = Gamma - [t_u] D + [t_x] L - [s t_u] L along q + s qd + s^2/2 qdd, qd + s qdd, t + s. sum: n; qdd null: zero. */
+/* Q - M qdd = [t_x] L + Gamma - [t_u] D - [s t_u] L along q + s qd + s^2/2 qdd, qd + s qdd, t + s. sum: n; qdd null: zero. What stands
+ * before the last term is the momentum's rate. */
 static eom_status unbalanced_force(eom_system *sys, tl_real *sum, const tl_real *q, const tl_real *qd, const tl_real *qdd, tl_real t) {
   eom_workspace *ws = sys->workspace;
   const int n = sys->n;
   eom_stage_seed(sys, STAGE_FORCE, q, qd, qdd, t);
   if (eom_stage_run(sys, &sys->model->lagrangian) != EOM_OK) return sys->report.status;
   const tl_real *row = ws->jet_out + ws->stage[STAGE_FORCE].shape->start[1], *row_s = row + 2 * n;
-  for (int i = 0; i < n; i++) sum[i] = row[i] - row_s[n + i];
-  if (sys->model->force.jet) {
-    eom_stage_seed(sys, STAGE_GAMMA, q, qd, NULL, t);
-    if (eom_stage_run(sys, &sys->model->force) != EOM_OK) return sys->report.status;
-    for (int i = 0; i < n; i++) sum[i] += ws->jet_out[i];
-  }
-  if (sys->model->dissipation.jet && add_dissipation(sys, sum, q, qd, t) != EOM_OK) return sys->report.status;
+  memcpy(sys->momentum_rate, row, (size_t)n * sizeof(tl_real));
+  for (int i = 0; i < n; i++) sum[i] = -row_s[n + i];
+  if (add_forces(sys, sys->momentum_rate, q, qd, t) != EOM_OK) return sys->report.status;
+  for (int i = 0; i < n; i++) sum[i] += sys->momentum_rate[i];
   return eom_check_finite(sys, "generalized force", sum, n);
 }
 
@@ -161,7 +176,8 @@ static eom_status assemble_by_motion(eom_system *sys, const tl_real *q, const tl
 
 eom_status eom_assemble_parts(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
   const bool by_motion = eom_by_motion(sys, EOM_TASK_ASSEMBLE);
-  if ((by_motion ? assemble_by_motion : assemble_by_calls)(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  const eom_status status = by_motion ? assemble_by_motion(sys, q, qd, t) : assemble_by_calls(sys, q, qd, t);
+  if (status != EOM_OK) return status;
   eom_stabilise_holonomic(sys);
   eom_stabilise_nonholonomic(sys);
   return EOM_OK;

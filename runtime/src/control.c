@@ -1,6 +1,8 @@
 /* The choice of steps by their error: error estimate, PI controller, the first step, and what ends the attempts. */
 #include "step.h"
 
+#include <string.h>
+
 /* The next step is h times safety error^-(0.85/q) error_before^(0.2/q), q the power of h in the error: a PI controller after K.
  * Gustafsson, with the constants of DOPRI5 in Hairer, Norsett, Wanner (section IV.2), there for q = 5. */
 static const tl_real safety = TL_C(0.9);
@@ -15,50 +17,94 @@ enum { MOST_FAILURES = 25 /* in a row: 4^-25 is 1e-15 of the first attempt */ };
 static tl_real larger(tl_real a, tl_real b) { return a > b ? a : b; }
 static tl_real size(tl_real x) { return TL_LIBM(fabs)(x); }
 
-/* One over the scales of the block of components that begins with i; for what fills it up too, whose estimates are zero. */
-static void inverse_scales(const eom_integrator *it, tl_real *restrict inverse, size_t i, const tl_real *y1) {
-  const eom_step_control *c = &it->control;
-  tl_real rtol[EOM_BLOCK], atol[EOM_BLOCK];
-  for (int b = 0; b < EOM_BLOCK; b++) rtol[b] = c->rtol, atol[b] = c->atol;
-  if (c->rtol_each || c->atol_each)
-    for (size_t b = 0; b < EOM_BLOCK && i + b < (size_t)it->dim; b++) {
-      if (c->rtol_each) rtol[b] = c->rtol_each[i + b];
-      if (c->atol_each) atol[b] = c->atol_each[i + b];
-    }
-  const tl_real *y = it->y + i;
-  for (int b = 0; b < EOM_BLOCK; b++)
-    inverse[b] = TL_C(1.0) / larger(atol[b] + rtol[b] * larger(size(y[b]), size(y1[i + (size_t)b])), TL_MIN);
+/* Components that count in the error. */
+static int tested(const eom_integrator *it) {
+  const int count = it->control.tested;
+  return count > 0 && count < it->dim ? count : it->dim;
 }
 
-/* sum_i (E_i / scale_i)^2 of one row of estimates, without h. */
-static tl_real sum_squares(const eom_integrator *it, const tl_real *e) {
-  const int count = it->method->stages + 1, first = eom_first_weight(e, count);
-  tl_real squares[EOM_BLOCK] = {TL_C(0.0)};
-  for (size_t i = 0; i < it->stride; i += EOM_BLOCK) {
-    tl_real sum[EOM_BLOCK], inverse[EOM_BLOCK];
-    eom_sum_slopes(it, sum, i, e, first, count);
-    inverse_scales(it, inverse, i, it->trial);
-    for (int b = 0; b < EOM_BLOCK; b++) squares[b] += sum[b] * inverse[b] * (sum[b] * inverse[b]);
+/* Tolerances of some components from i on: all of them count. components: constant. */
+TL_INLINE void tolerances(const eom_step_control *c, int components, size_t i, tl_real *rtol, tl_real *atol) {
+  if (c->rtol_each)
+    memcpy(rtol, c->rtol_each + i, (size_t)components * sizeof(tl_real));
+  else
+    for (int b = 0; b < components; b++) rtol[b] = c->rtol;
+  if (c->atol_each)
+    memcpy(atol, c->atol_each + i, (size_t)components * sizeof(tl_real));
+  else
+    for (int b = 0; b < components; b++) atol[b] = c->atol;
+}
+
+/* One over their scales. */
+TL_INLINE void inverse_of(int components, tl_real *inverse, const tl_real *y, const tl_real *y1, const tl_real *rtol,
+                          const tl_real *atol) {
+  for (int b = 0; b < components; b++) inverse[b] = TL_C(1.0) / larger(atol[b] + rtol[b] * larger(size(y[b]), size(y1[b])), TL_MIN);
+}
+
+/* One over the scales of the block of components that begins with i: 0 for those that do not count, and for what fills it up. */
+static void inverse_scales(const eom_integrator *it, tl_real *inverse, size_t i, const tl_real *y1) {
+  const size_t left = (size_t)tested(it) - i;
+  tl_real rtol[EOM_BLOCK] = {TL_C(0.0)}, atol[EOM_BLOCK] = {TL_C(0.0)};
+  if (left >= EOM_BLOCK)
+    tolerances(&it->control, EOM_BLOCK, i, rtol, atol);
+  else
+    for (size_t b = 0; b < left; b++) tolerances(&it->control, 1, i + b, rtol + b, atol + b);
+  inverse_of(EOM_BLOCK, inverse, it->y + i, y1 + i, rtol, atol);
+  for (size_t b = left; b < EOM_BLOCK; b++) inverse[b] = TL_C(0.0);
+}
+
+/* Adds (E_i / scale_i)^2 of both rows of estimates for some vectors of components from i on. vectors: constant. */
+TL_INLINE void add_squares(const eom_integrator *it, int vectors, size_t i, const tl_real *inverse, eom_lane *squares) {
+  const eom_method *m = it->method;
+  const int count = m->stages + 1;
+  for (int row = 0; row < m->error_rows; row++) {
+    const tl_real *e = m->error + row * count;
+    eom_lane sum[EOM_CHUNK];
+    eom_sum_vectors(it, sum, vectors, i, e, eom_first_weight(e, count), count);
+    TL_UNROLL
+    for (int c = 0; c < vectors; c++) {
+      const eom_lane part = sum[c] * EOM_AT_CONST(inverse + c * EOM_LANE);
+      squares[row] += part * part;
+    }
   }
-  return (squares[0] + squares[1]) + (squares[2] + squares[3]);
+}
+
+/* sum_i (E_i / scale_i)^2 of each row of estimates, without h. */
+static void sum_squares(const eom_integrator *it, tl_real *total) {
+  enum { WHOLE = EOM_CHUNK * EOM_LANE };
+  const size_t count = (size_t)tested(it);
+  tl_real rtol[WHOLE], atol[WHOLE], inverse[WHOLE + EOM_BLOCK];
+  const eom_lane none = {TL_C(0.0)};
+  eom_lane squares[2] = {none, none};
+  size_t i = 0;
+  for (; WHOLE % EOM_BLOCK == 0 && i + WHOLE <= count; i += WHOLE) {
+    tolerances(&it->control, WHOLE, i, rtol, atol);
+    inverse_of(WHOLE, inverse, it->y + i, it->trial + i, rtol, atol);
+    add_squares(it, EOM_CHUNK, i, inverse, squares);
+  }
+  for (; i < count; i += EOM_BLOCK) {
+    inverse_scales(it, inverse, i, it->trial);
+    add_squares(it, EOM_BLOCK / EOM_LANE, i, inverse, squares);
+  }
+  for (int row = 0; row < it->method->error_rows; row++) total[row] = eom_sum_lanes(&squares[row]);
 }
 
 /* The error of the trial step of h as in eom_step_control; with two estimates as in DOP853 of Hairer, Norsett, Wanner (section II.10).
  */
 static tl_real error_of(const eom_integrator *it, tl_real h) {
-  const eom_method *m = it->method;
-  const tl_real high = sum_squares(it, m->error);
+  tl_real total[2] = {TL_C(0.0)};
+  sum_squares(it, total);
+  const tl_real high = total[0], low = total[1];
   if (high == TL_C(0.0)) return TL_C(0.0);
-  const tl_real low = m->error_rows == 1 ? TL_C(0.0) : sum_squares(it, m->error + m->stages + 1);
-  const tl_real damped = m->error_rows == 1 ? TL_C(1.0) : high / (high + TL_C(0.01) * low);
-  return size(h) * TL_LIBM(sqrt)(damped * high / (tl_real)it->dim);
+  const tl_real damped = it->method->error_rows == 1 ? TL_C(1.0) : high / (high + TL_C(0.01) * low);
+  return size(h) * TL_LIBM(sqrt)(damped * high / (tl_real)tested(it));
 }
 
 static int worst_component(const eom_integrator *it) {
   const int count = it->method->stages + 1;
   int worst = 0;
   tl_real most = TL_C(-1.0), sum[EOM_BLOCK], inverse[EOM_BLOCK];
-  for (int i = 0; i < it->dim; i++) {
+  for (int i = 0; i < tested(it); i++) {
     const int b = i % EOM_BLOCK;
     if (b == 0) {
       eom_sum_slopes(it, sum, (size_t)i, it->method->error, 1, count);
@@ -101,13 +147,13 @@ static tl_real shrinking(const eom_integrator *it) {
 /* sqrt(1/dim sum (v_i / scale_i)^2), without components whose scale is zero until they have moved. */
 static tl_real norm(const eom_integrator *it, const tl_real *v) {
   tl_real sum = TL_C(0.0), inverse[EOM_BLOCK];
-  for (int i = 0; i < it->dim; i++) {
+  for (int i = 0; i < tested(it); i++) {
     if (i % EOM_BLOCK == 0) inverse_scales(it, inverse, (size_t)i, it->y);
     if (inverse[i % EOM_BLOCK] >= TL_C(1.0) / TL_MIN) continue;
     const tl_real e = v[i] * inverse[i % EOM_BLOCK];
     sum += e * e;
   }
-  return TL_LIBM(sqrt)(sum / (tl_real)it->dim);
+  return TL_LIBM(sqrt)(sum / (tl_real)tested(it));
 }
 
 /* The first step after Hairer, Norsett, Wanner (section II.4): such that neither |h f| nor |h^2 f'|, from a trial of Euler's method, is
@@ -139,23 +185,36 @@ static eom_status first_step(eom_integrator *it, tl_real way) {
 
 /* ---- a step ---- */
 
-/* Tries a step of h to t1, and takes it where its error allows; *good says so. RHS_FAILED, NOT_FINITE. */
-static eom_status attempt(eom_integrator *it, tl_real h, tl_real t1, int *good) {
-  const int end_counts = it->method->error[it->method->stages] != TL_C(0.0);
-  *good = 0;
+static eom_status try_with_error(eom_integrator *it, tl_real h, tl_real t1, int end_counts) {
   eom_status status = eom_try_step(it, h, t1);
   if (status == EOM_OK && end_counts) status = eom_evaluate(it, t1, it->trial, eom_slope(it, it->method->stages));
+  if (status == EOM_OK) it->error = error_of(it, h);
+  return status;
+}
+
+/* Tries a step of h to t1, and takes it where its error allows; *good says so. RHS_FAILED, NOT_FINITE. */
+static eom_status attempt(eom_integrator *it, tl_real h, tl_real t1, int *good) {
+  const int end_counts = it->scheme || it->method->error[it->method->stages] != TL_C(0.0);
+  *good = 0;
+  eom_status status = it->scheme ? it->scheme->attempt(it, h, t1) : try_with_error(it, h, t1, end_counts);
   if (status != EOM_OK) return status;
-  it->error = error_of(it, h);
   if (it->error != it->error) return EOM_NOT_FINITE;
   if (it->error > TL_C(1.0)) return EOM_OK;
   *good = 1;
   return eom_take_step(it, t1, end_counts);
 }
 
+/* By the scheme, in the direction of the way. */
+static eom_status choose(eom_integrator *it, tl_real way) {
+  const eom_status status = it->scheme->choose(it);
+  const tl_real most = size(way);
+  if (status == EOM_OK) it->h = TL_LIBM(copysign)(it->h < most ? it->h : most, way);
+  return status;
+}
+
 eom_status eom_controlled_step(eom_integrator *it, tl_real t_end) {
   const tl_real way = t_end - it->t;
-  eom_status status = it->h == TL_C(0.0) ? first_step(it, way) : eom_start_slope(it);
+  eom_status status = it->scheme ? choose(it, way) : it->h == TL_C(0.0) ? first_step(it, way) : eom_start_slope(it);
   if (status != EOM_OK) return status;
   int good = 0, failures = 0, refused = 0;
   for (;;) {
@@ -165,7 +224,8 @@ eom_status eom_controlled_step(eom_integrator *it, tl_real t_end) {
     if (refused && size(h) < least_step(it)) break;
     status = attempt(it, t1 - it->t, t1, &good);
     if (status == EOM_OK && good) {
-      const tl_real next = (t1 - it->t_before) * growth(it, refused);
+      it->worst = -1;
+      const tl_real next = (t1 - it->t_before) * (it->scheme ? TL_C(1.0) : growth(it, refused));
       if (!last || refused || size(next) > size(it->h)) it->h = next;
       return EOM_OK;
     }
@@ -181,7 +241,7 @@ eom_status eom_controlled_step(eom_integrator *it, tl_real t_end) {
     }
   }
   if (status != EOM_OK) return status;
-  it->worst = worst_component(it);
+  if (!it->scheme) it->worst = worst_component(it);
   return EOM_STEP_TOO_SMALL;
 }
 
@@ -197,8 +257,9 @@ static int are_bounds(const tl_real *x, int count) {
 
 eom_status eom_integrator_control(eom_integrator *it, const eom_step_control *control) {
   const eom_step_control *c = control;
-  if (!is_bound(c->rtol) || !is_bound(c->atol) || !is_bound(c->h_min) || !is_bound(c->h_max) || c->most_steps < 0 ||
-      !are_bounds(c->rtol_each, it->dim) || !are_bounds(c->atol_each, it->dim))
+  if (it->scheme && !it->scheme->choose) return EOM_BAD_OPTION;
+  if (!is_bound(c->rtol) || !is_bound(c->atol) || !is_bound(c->h_min) || !is_bound(c->h_max) || c->most_steps < 0 || c->tested < 0 ||
+      c->tested > it->dim || !are_bounds(c->rtol_each, it->dim) || !are_bounds(c->atol_each, it->dim))
     return EOM_BAD_OPTION;
   if (!c->rtol_each && !c->atol_each && c->rtol == TL_C(0.0) && c->atol == TL_C(0.0)) return EOM_BAD_OPTION;
   it->control = *control;

@@ -40,10 +40,44 @@ static void evaluate(const eom_integrator *it, tl_real x, tl_real *y) {
   }
 }
 
+/* ---- steps that are kept: the coefficients of the polynomial from outside in, row by row ---- */
+
+size_t eom_kept_size(const eom_method *method, int dim) { return (4 + (size_t)method->dense_rows) * (size_t)dim; }
+
+eom_status eom_keep_step(eom_integrator *it, tl_real *kept) {
+  if (it->interpolates != INTERPOLATES_READY) {
+    const eom_status status = prepare(it);
+    if (status != EOM_OK) return status;
+  }
+  const tl_real h = it->t_after - it->t_before;
+  const tl_real *k0 = it->slope, *ks = eom_slope(it, it->method->stages);
+  const int dim = it->dim;
+  for (int i = 0; i < dim; i++) {
+    const tl_real change = it->trial[i] - it->before[i], start = h * k0[i] - change, end = change - h * ks[i];
+    kept[i] = it->before[i];
+    kept[dim + i] = change;
+    kept[2 * dim + i] = start;
+    kept[3 * dim + i] = end - start;
+  }
+  for (int row = 0; row < it->method->dense_rows; row++)
+    memcpy(kept + (4 + row) * dim, eom_slope(it, row + 1), (size_t)dim * sizeof(tl_real));
+  return EOM_OK;
+}
+
+void eom_kept_at(const eom_method *method, int dim, const tl_real *kept, tl_real x, tl_real *y) {
+  const tl_real rest = TL_C(1.0) - x;
+  memset(y, 0, (size_t)dim * sizeof(tl_real));
+  for (int row = method->dense_rows + 3; row >= 0; row--) {
+    const tl_real *own = kept + row * dim, factor = row % 2 ? rest : x;
+    for (int i = 0; i < dim; i++) y[i] = own[i] + factor * y[i];
+  }
+}
+
 eom_status eom_interpolate(eom_integrator *it, tl_real t, tl_real *y) {
   if (!it->interpolates) return EOM_NOT_IN_STEP;
   const tl_real x = (t - it->t_before) / (it->t_after - it->t_before);
   if (!(x >= TL_C(0.0) && x <= TL_C(1.0))) return EOM_NOT_IN_STEP;
+  if (it->scheme) return it->scheme->interpolate(it, x, y);
   if (it->interpolates != INTERPOLATES_READY) {
     const eom_status status = prepare(it);
     if (status != EOM_OK) return status;

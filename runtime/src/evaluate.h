@@ -32,6 +32,13 @@ eom_status eom_assemble_parts(eom_system *sys, const tl_real *q, const tl_real *
  * rounding. Calls of the holonomic constraints. */
 eom_status eom_size_rows(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t);
 
+/* G = d(phi_dot, psi)/dq: m x n, by calls. */
+eom_status eom_constraint_rates(eom_system *sys, tl_real *G, const tl_real *q, const tl_real *qd, tl_real t);
+
+/* Factors M and the rows that the last projection found independent, where the rank is held; else all rows. Errors of eom_factor_make;
+ * RANK_FELL. */
+eom_status eom_factor_rows(eom_system *sys);
+
 /* eom_assemble_parts, then eom_solve: afterwards the factors serve further right-hand sides. */
 eom_status eom_solve_at(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t);
 

@@ -6,11 +6,13 @@
 #include <assert.h>
 #include <string.h>
 
+_Static_assert(EOM_INTEGRATOR_SIZE(0, 0, 1) == 6 * EOM_BLOCK, "EOM_INTEGRATOR_SIZE counts whole blocks");
+
 static size_t stride_of(int dim) { return ((size_t)dim + EOM_BLOCK - 1) / EOM_BLOCK * EOM_BLOCK; }
 
-/* y, y_before, the trial point, and the slopes with the one at the end of a step. */
+/* y, y_before, the trial point, what rounding y and the trial point has lost, and the slopes with the one at the end of a step. */
 size_t eom_integrator_size(const eom_method *method, int dim) {
-  return ((size_t)method->stages + 1 + (size_t)method->dense_stages + 3) * stride_of(dim);
+  return EOM_INTEGRATOR_SIZE((size_t)method->stages, (size_t)method->dense_stages, (size_t)dim);
 }
 
 void eom_integrator_init(eom_integrator *it, const eom_method *method, eom_rhs_fn *rhs, void *user, int dim, tl_real t,
@@ -25,12 +27,15 @@ void eom_integrator_init(eom_integrator *it, const eom_method *method, eom_rhs_f
   it->before = work + stride;
   it->y_before = it->before;
   it->trial = work + 2 * stride;
-  it->slope = work + 3 * stride;
+  it->carry = work + 3 * stride;
+  it->kept = work + 4 * stride;
+  it->slope = work + 5 * stride;
   memcpy(it->y, y, (size_t)dim * sizeof(tl_real));
 }
 
 void eom_integrator_restart(eom_integrator *it) {
   it->slope0 = SLOPE0_UNKNOWN;
+  eom_drop_carry(it);
   if (it->interpolates != INTERPOLATES_READY) it->interpolates = INTERPOLATES_NOT; /* f may be another one now */
   if (it->events) eom_events_forget(it->events);
 }
@@ -38,6 +43,7 @@ void eom_integrator_restart(eom_integrator *it) {
 /* ---- fixed steps ---- */
 
 static eom_status fixed_step(eom_integrator *it, tl_real h, tl_real t1) {
+  if (it->scheme) return it->scheme->step(it, h, t1);
   const eom_status status = eom_try_step(it, h, t1);
   return status == EOM_OK ? eom_take_step(it, t1, 0) : status;
 }
@@ -81,7 +87,8 @@ static int leads_to(eom_integrator *it, tl_real t_end) {
     it->h = TL_LIBM(copysign)(it->h, t_end - it->t);
     return TL_ISFINITE(t_end) && TL_ISFINITE(it->h);
   }
-  const tl_real way = (t_end - it->t) / it->h;
+  const tl_real way = (t_end - it->t) / it->h, largest = TL_LIBM(fmax)(TL_LIBM(fabs)(it->t), TL_LIBM(fabs)(t_end));
+  if (way > TL_C(0.0) && TL_LIBM(fabs)(it->h) < TL_C(0.5) * TL_EPSILON * largest) return 0; /* t + h would be t */
   return way >= TL_C(0.0) && way <= TL_MAX;
 }
 

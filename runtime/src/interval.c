@@ -51,12 +51,12 @@ static void merge(sample *s) {
 }
 
 int eom_lyapunov_interval(const eom_lyapunov *ly, int i, tl_real *mean, tl_real *half_width) {
-  assert(i >= 0 && i < ly->dim);
+  assert(i >= 0 && i < ly->k);
   sample s = {.count = ly->nblock};
-  const tl_real time = (tl_real)ly->block_steps * ly->it.h;
-  for (int b = 0; b < s.count; b++) s.x[b] = ly->block[b * ly->dim + i] / time;
+  const tl_real time = (tl_real)ly->block_marks * ly->options.interval;
+  for (int b = 0; b < s.count; b++) s.x[b] = ly->block[b * ly->k + i] / time;
   *half_width = TL_MAX;
-  *mean = ly->t_rho == ly->t0 ? TL_C(0.0) : ly->rho[i] / (ly->t_rho - ly->t0);
+  *mean = ly->t == ly->t0 ? TL_C(0.0) : ly->rho[i] / (ly->t - ly->t0);
   if (s.count < EOM_FEWEST_BLOCKS) return 0;
 
   tl_real r = TL_C(0.0), m = mean_of(&s), variance = variance_of(&s, m, &r);

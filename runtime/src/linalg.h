@@ -5,7 +5,7 @@
 #ifndef EOM_LINALG_H
 #define EOM_LINALG_H
 
-#include "taylor/real.h"
+#include "eom/bytes.h"
 
 typedef struct eom_linalg {
   const char *name;

@@ -170,7 +170,7 @@ const eom_linalg eom_linalg_core = {.name = "core",
                                     .solve_upper = eom_core_solve_upper,
                                     .solve_upper_transposed = eom_core_solve_upper_transposed};
 
-int eom_linalg_work(int n, int m) { return 32 * (n + m) + 2 * m + n + 64; }
+int eom_linalg_work(int n, int m) { return EOM_LINALG_WORK(n, m); }
 
 void eom_multiply(int rows, int k, int columns, tl_real *c, const tl_real *a, const tl_real *b) {
   for (int i = 0; i < rows; i++)

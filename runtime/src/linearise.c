@@ -163,6 +163,32 @@ static eom_status linearise_by_calls(eom_system *sys, const tl_real *q, const tl
   return EOM_OK;
 }
 
+/* Rows of G from the first derivatives by q of a list of functions, at one power of s. */
+static eom_status read_rates(eom_system *sys, tl_real *G, const eom_function *list, int count, int s) {
+  const eom_workspace *ws = sys->workspace;
+  const int n = sys->n;
+  for (int f = 0; f < count; f++) {
+    if (eom_stage_run(sys, &list[f]) != EOM_OK) return sys->report.status;
+    const tl_shape *shape = ws->cx.shape;
+    const int rows = list[f].rows(sys->params);
+    for (int i = 0; i < rows; i++, G += n)
+      memcpy(G, ws->jet_out + i * shape->ncoef + shape->start[1] + s * n, (size_t)n * sizeof(tl_real));
+  }
+  return EOM_OK;
+}
+
+/* [s x] phi above [x] psi. */
+eom_status eom_constraint_rates(eom_system *sys, tl_real *G, const tl_real *q, const tl_real *qd, tl_real t) {
+  const eom_model *model = sys->model;
+  if (sys->m1 > 0) {
+    eom_stage_seed(sys, STAGE_HOLONOMIC, q, qd, NULL, t);
+    if (read_rates(sys, G, model->holonomic, model->nholonomic, 1) != EOM_OK) return sys->report.status;
+  }
+  if (sys->m2 == 0) return EOM_OK;
+  eom_stage_seed(sys, STAGE_NONHOLONOMIC_Q, q, qd, NULL, t);
+  return read_rates(sys, G + sys->m1 * sys->n, model->nonholonomic, model->nnonholonomic, 0);
+}
+
 /* ---- by either emitter ---- */
 
 static eom_status linearise_by_motion(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
@@ -185,7 +211,7 @@ eom_status eom_linearise(eom_system *sys, const tl_real *q, const tl_real *qd, t
 }
 
 eom_status eom_linearised_residual(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
-  return (eom_by_motion(sys, EOM_TASK_LINEARISE) ? linearise_by_motion : linearise_by_calls)(sys, q, qd, t);
+  return eom_by_motion(sys, EOM_TASK_LINEARISE) ? linearise_by_motion(sys, q, qd, t) : linearise_by_calls(sys, q, qd, t);
 }
 
 eom_status eom_linearise_factored(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {

@@ -176,32 +176,6 @@ static void make_bases(const eom_system *sys, eom_minimal *out, const work *w) {
 
 /* ---- velocities that positions bring with them ---- */
 
-/* Rows of G from the first derivatives by q of a list of functions, at one power of s. */
-static eom_status read_rates(eom_system *sys, const work *w, const eom_function *list, int count, int first, int s) {
-  const eom_workspace *ws = sys->workspace;
-  const int n = sys->n;
-  for (int f = 0, r = first; f < count; f++) {
-    if (eom_stage_run(sys, &list[f]) != EOM_OK) return sys->report.status;
-    const tl_shape *shape = ws->cx.shape;
-    const int rows = list[f].rows(sys->params);
-    for (int i = 0; i < rows; i++, r++)
-      memcpy(w->G + r * n, ws->jet_out + i * shape->ncoef + shape->start[1] + s * n, (size_t)n * sizeof(tl_real));
-  }
-  return EOM_OK;
-}
-
-/* G: [s x] phi above [x] psi. */
-static eom_status make_rates(eom_system *sys, const work *w, const tl_real *q, const tl_real *qd, tl_real t) {
-  const eom_model *model = sys->model;
-  if (sys->m1 > 0) {
-    eom_stage_seed(sys, STAGE_HOLONOMIC, q, qd, NULL, t);
-    if (read_rates(sys, w, model->holonomic, model->nholonomic, 0, 1) != EOM_OK) return sys->report.status;
-  }
-  if (sys->m2 == 0) return EOM_OK;
-  eom_stage_seed(sys, STAGE_NONHOLONOMIC_Q, q, qd, NULL, t);
-  return read_rates(sys, w, model->nonholonomic, model->nnonholonomic, sys->m1, 0);
-}
-
 /* M Y = A' mu, A Y = -G N1. */
 static void follow(eom_system *sys, const eom_minimal *out, const work *w) {
   const int n = sys->n, nq = out->nq;
@@ -269,7 +243,7 @@ eom_status eom_linearise_minimal(eom_system *sys, eom_minimal *minimal, const tl
   lay_out(sys, minimal, &w, &arena);
   if (eom_linearise_factored(sys, q, qd, t) != EOM_OK || check_state(sys, q, qd) != EOM_OK) return sys->report.status;
   make_bases(sys, minimal, &w);
-  if (make_rates(sys, &w, q, qd, t) != EOM_OK) return sys->report.status;
+  if (eom_constraint_rates(sys, w.G, q, qd, t) != EOM_OK) return sys->report.status;
   follow(sys, minimal, &w);
   fill(sys, minimal, &w);
   return eom_check_finite(sys, "state matrix in minimal coordinates", minimal->F, minimal->d * minimal->d);

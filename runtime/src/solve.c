@@ -59,8 +59,7 @@ static eom_status judge_rows(eom_system *sys) {
   return name_rows(sys);
 }
 
-/* The rows that the last projection found independent, where the rank is held; else all. */
-static eom_status factor(eom_system *sys) {
+eom_status eom_factor_rows(eom_system *sys) {
   const eom_held *held = &sys->workspace->held;
   const bool keep = held->rank >= 0;
   const int count = keep ? held->rank : sys->m;
@@ -74,7 +73,7 @@ static eom_status factor(eom_system *sys) {
 static eom_status solve(eom_system *sys) {
   const int n = sys->n, m = sys->m;
   sys->report = (eom_report){.status = EOM_OK, .index = -1, .rank = -1, .condition = TL_C(1.0)};
-  if (factor(sys) != EOM_OK) return sys->report.status;
+  if (eom_factor_rows(sys) != EOM_OK) return sys->report.status;
   eom_kkt_solve(sys, sys->qdd, sys->lambda, sys->Q, sys->b);
   memset(sys->Qc, 0, (size_t)n * sizeof(tl_real));
   for (int r = 0; r < m; r++)

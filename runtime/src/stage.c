@@ -1,6 +1,8 @@
 /* Seeding of the motion curve and running of model functions. */
 #include "stage.h"
 
+#include "step.h"
+
 #include "taylor/series.h"
 
 static void seed_coordinate(tl_ctx *cx, tl_real *jet, tl_real x0, tl_real x1, tl_real x2, int tangent) {
@@ -61,9 +63,7 @@ eom_status eom_jet_verdict(eom_system *sys, const eom_function *function, tl_sta
 }
 
 eom_status eom_check_finite(eom_system *sys, const char *name, const tl_real *a, int count) {
-  tl_real sum = TL_C(0.0);
-  for (int i = 0; i < count; i++) sum += a[i] - a[i];
-  if (sum == TL_C(0.0)) return EOM_OK;
+  if (eom_all_finite(a, count)) return EOM_OK;
   int i = 0;
   while (TL_ISFINITE(a[i])) i++;
   sys->report.status = EOM_NOT_FINITE;

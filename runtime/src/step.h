@@ -3,6 +3,9 @@
 #define EOM_STEP_H
 
 #include "eom/integrate.h"
+#include "taylor/kernel.h"
+
+#include <string.h>
 
 /* What slope 0, the derivative at the start of the next step, is known to be. */
 enum { SLOPE0_UNKNOWN, SLOPE0_KNOWN, SLOPE0_AT_END /* in the place of the slope at the end of the last step */ };
@@ -23,16 +26,42 @@ static inline int eom_first_weight(const tl_real *w, int count) {
   return first;
 }
 
-/* sum = sum_(j<count) w_j k_j for the block of components that begins with i, with j = 0 and from first on. */
-static inline void eom_sum_slopes(const eom_integrator *it, tl_real *restrict sum, size_t i, const tl_real *w, int first, int count) {
+/* As many components as a vector of the processor or two hold, at any place in memory. */
+#if TL_VECTORS
+typedef tl_v4 eom_lane;
+#else
+typedef tl_real eom_lane;
+#endif
+enum { EOM_LANE = sizeof(eom_lane) / sizeof(tl_real), EOM_CHUNK = 8 /* vectors whose sums are formed together, at most */ };
+#define EOM_AT(address) (*(eom_lane *)(address))
+#define EOM_AT_CONST(address) (*(const eom_lane *)(address))
+
+/* sum[c] = sum_(j<count) w_j k_j for the vectors of components from i on, with j = 0 and from first on. vectors: constant. */
+TL_INLINE void eom_sum_vectors(const eom_integrator *it, eom_lane *sum, int vectors, size_t i, const tl_real *w, int first, int count) {
   const size_t stride = it->stride;
   const tl_real *k = it->slope + i;
-  tl_real of[EOM_BLOCK];
-  for (int b = 0; b < EOM_BLOCK; b++) of[b] = w[0] * k[b];
+  TL_UNROLL
+  for (int c = 0; c < vectors; c++) sum[c] = w[0] * EOM_AT_CONST(k + c * EOM_LANE);
   k += (size_t)first * stride;
-  for (int j = first; j < count; j++, k += stride)
-    for (int b = 0; b < EOM_BLOCK; b++) of[b] += w[j] * k[b];
-  for (int b = 0; b < EOM_BLOCK; b++) sum[b] = of[b];
+  for (int j = first; j < count; j++, k += stride) {
+    const tl_real weight = w[j];
+    TL_UNROLL
+    for (int c = 0; c < vectors; c++) sum[c] += weight * EOM_AT_CONST(k + c * EOM_LANE);
+  }
+}
+
+static inline tl_real eom_sum_lanes(const eom_lane *x) {
+  tl_real part[EOM_LANE], sum = TL_C(0.0);
+  memcpy(part, x, sizeof part);
+  for (int b = 0; b < EOM_LANE; b++) sum += part[b];
+  return sum;
+}
+
+/* The same for the block of components that begins with i. */
+static inline void eom_sum_slopes(const eom_integrator *it, tl_real *restrict sum, size_t i, const tl_real *w, int first, int count) {
+  eom_lane of[EOM_BLOCK / EOM_LANE];
+  eom_sum_vectors(it, of, EOM_BLOCK / EOM_LANE, i, w, first, count);
+  for (int c = 0; c < EOM_BLOCK / EOM_LANE; c++) EOM_AT(sum + c * EOM_LANE) = of[c];
 }
 
 /* out = from + h sum_(j<count) w_j k_j; stride numbers each, out may be from. Returns 1 where all are finite. */
@@ -51,6 +80,35 @@ eom_status eom_start_slope(eom_integrator *it);
  * NOT_FINITE: then nothing is taken. */
 eom_status eom_take_step(eom_integrator *it, tl_real t1, int end_known);
 
+/* y is no longer what the steps so far have summed up. */
+void eom_drop_carry(eom_integrator *it);
+
+/* y + increment, and what rounding it loses (D. Knuth's TwoSum). */
+static inline tl_real eom_sum_up(tl_real y, tl_real increment, tl_real *lost) {
+  const tl_real sum = y + increment, part = sum - y;
+  *lost = (y - (sum - part)) + (increment - part);
+  return sum;
+}
+
+/* trial = y + (increment + carry), and in it->kept what rounding that sum loses: compensated summation of the state, as Hairer, Lubich
+ * and Wanner advise for long runs (Geometric Numerical Integration, section VIII.5). increment may be trial. */
+void eom_add_increment(eom_integrator *it, const tl_real *increment);
+
+/* What component i of the state, about y, may be wrong by. */
+static inline tl_real eom_scale(const eom_integrator *it, int i, tl_real y) {
+  const eom_step_control *c = &it->control;
+  const tl_real scale = (c->atol_each ? c->atol_each[i] : c->atol) + (c->rtol_each ? c->rtol_each[i] : c->rtol) * TL_LIBM(fabs)(y);
+  return scale > TL_MIN ? scale : TL_MIN;
+}
+
+/* Steps that are not those of an explicit Runge-Kutta method; all that is around them stays the same. */
+typedef struct eom_scheme {
+  eom_status (*step)(eom_integrator *it, tl_real h, tl_real t1);        /* tries and takes */
+  eom_status (*interpolate)(eom_integrator *it, tl_real x, tl_real *y); /* the state at t_before + x h in the last step, 0 <= x <= 1 */
+  eom_status (*choose)(eom_integrator *it);                             /* it->h for the next step; null: steps are fixed */
+  eom_status (*attempt)(eom_integrator *it, tl_real h, tl_real t1);     /* trial, the slope there, it->error and it->worst; likewise */
+} eom_scheme;
+
 /* One step whose length is chosen, not beyond t_end, and the length of the next one. */
 eom_status eom_controlled_step(eom_integrator *it, tl_real t_end);
 
@@ -59,6 +117,13 @@ int eom_all_finite(const tl_real *x, int count);
 
 /* As eom_integrator_at, in all of the last step, also where an event has cut it short since. */
 eom_status eom_interpolate(eom_integrator *it, tl_real t, tl_real *y);
+
+/* The last step in a form that outlives it: eom_kept_size numbers, for eom_kept_at. RHS_FAILED, NOT_FINITE. */
+size_t eom_kept_size(const eom_method *method, int dim);
+eom_status eom_keep_step(eom_integrator *it, tl_real *kept);
+
+/* The state in a kept step, as eom_interpolate; x: the part of the step that has passed, 0..1. y: dim. */
+void eom_kept_at(const eom_method *method, int dim, const tl_real *kept, tl_real x, tl_real *y);
 
 /* Handles the events of the step that was taken; it->t is then the end of the step, or the time of the event that cut it short. STOPPED
  * where one stops; errors of eom_integrator_at and of the user's functions (RHS_FAILED, NOT_FINITE). */

@@ -3,9 +3,10 @@
 #include "evaluate.h"
 #include "stage.h"
 
+#include "eom/bytes.h"
+
 #include <assert.h>
 #include <stdint.h>
-#include <stdlib.h>
 #include <string.h>
 
 eom_options eom_options_default(void) {
@@ -40,83 +41,15 @@ void *eom_arena_take(eom_arena *arena, size_t count, size_t size) {
 
 tl_real *eom_arena_reals(eom_arena *arena, size_t count) { return eom_arena_take(arena, count, sizeof(tl_real)); }
 
-static void take_public(eom_system *sys, eom_arena *a) {
-  const size_t n = (size_t)sys->n, m = (size_t)sys->m;
-  sys->momentum = eom_arena_reals(a, n);
-  sys->M = eom_arena_reals(a, n * n);
-  sys->Q = eom_arena_reals(a, n);
-  sys->A = eom_arena_reals(a, m * n);
-  sys->b = eom_arena_reals(a, m);
-  sys->phi = eom_arena_reals(a, (size_t)sys->m1);
-  sys->phi_dot = eom_arena_reals(a, (size_t)sys->m1);
-  sys->psi = eom_arena_reals(a, (size_t)sys->m2);
-  sys->qdd = eom_arena_reals(a, n);
-  sys->lambda = eom_arena_reals(a, m);
-  sys->Qc = eom_arena_reals(a, n);
-  sys->row_kind = eom_arena_take(a, m, sizeof(eom_row_kind));
-  if (!(sys->options.needs & EOM_NEED_LINEARISE)) return;
-  sys->qdd_y = eom_arena_reals(a, 2 * n * n);
-  sys->lambda_y = eom_arena_reals(a, 2 * m * n);
-}
-
-static void take_factor(eom_factor *f, size_t n, size_t m, bool constant_mass, eom_arena *a) {
-  f->L = eom_arena_reals(a, n * n);
-  if (constant_mass) f->kept_M = eom_arena_reals(a, n * n);
-  f->S = eom_arena_reals(a, n);
-  f->y = eom_arena_reals(a, n);
-  if (m == 0) return;
-  const size_t least = n < m ? n : m;
-  f->W = eom_arena_reals(a, m);
-  f->B = eom_arena_reals(a, m * n);
-  f->D = eom_arena_reals(a, m);
-  f->tau = eom_arena_reals(a, least);
-  f->pivot = eom_arena_take(a, m, sizeof(int));
-  f->row = eom_arena_take(a, m, sizeof(int));
-  f->U = eom_arena_reals(a, least * m);
-  f->tau_u = eom_arena_reals(a, least);
-  f->v = eom_arena_reals(a, m);
-  f->w = eom_arena_reals(a, m);
-  f->work = eom_arena_reals(a, (size_t)f->nwork);
-}
-
-static void take_lanes(eom_lanes *l, size_t n, size_t m, eom_arena *a) {
-  const size_t row = sizeof *l->R1;
-  l->R1 = eom_arena_take(a, n, row);
-  l->R2 = eom_arena_take(a, m, row);
-  l->dq = eom_arena_take(a, n, row);
-  l->dl = eom_arena_take(a, m, row);
-  l->r1 = eom_arena_take(a, n, row);
-  l->r2 = eom_arena_take(a, m, row);
-  l->change_q = eom_arena_take(a, n, row);
-  l->change_l = eom_arena_take(a, m, row);
-  l->v = eom_arena_take(a, m, row);
-  l->w = eom_arena_take(a, m, row);
-}
-
-static void take_private(eom_system *sys, eom_workspace *ws, eom_arena *a) {
-  const size_t n = (size_t)sys->n, m = (size_t)sys->m;
-  take_factor(&ws->factor, n, m, sys->motion && sys->motion->constant_mass, a);
-  ws->held.row = eom_arena_take(a, m, sizeof(int));
-  ws->held.pivot = eom_arena_reals(a, m);
-  ws->b_size = eom_arena_reals(a, m);
-  ws->r1 = eom_arena_reals(a, n);
-  ws->r2 = eom_arena_reals(a, m);
-  ws->dq = eom_arena_reals(a, n);
-  ws->dl = eom_arena_reals(a, m);
-  ws->was = eom_arena_reals(a, 2 * n);
-  ws->miss = eom_arena_reals(a, m);
-  if (sys->options.needs & (EOM_NEED_LINEARISE | EOM_NEED_TANGENT | EOM_NEED_PARAMETERS)) {
-    const size_t vectors = ws->emitter[EOM_TASK_LINEARISE] == EOM_EMITTER_CALLS ? 2 * n : 1;
-    ws->rhs1 = eom_arena_reals(a, vectors * n);
-    ws->rhs2 = eom_arena_reals(a, vectors * m);
-    ws->sol1 = eom_arena_reals(a, n);
-    ws->sol2 = eom_arena_reals(a, m);
-    take_lanes(&ws->lanes, n, m, a);
-    ws->pull = eom_arena_reals(a, eom_is_stabilised(sys) ? 2 * n : 0);
-  }
-  ws->motion_work = eom_arena_reals(a, sys->motion ? sys->motion->work : 0);
-  ws->jets = eom_arena_reals(a, ws->njets);
-  ws->context = eom_arena_reals(a, ws->ncontext);
+static void take_arrays(eom_system *sys, eom_workspace *ws, eom_arena *arena) {
+  const size_t n = (size_t)sys->n, m1 = (size_t)sys->m1, m2 = (size_t)sys->m2;
+  const size_t linearise = EOM_LINEARISES(sys->options.needs), solves = EOM_SOLVES(sys->options.needs);
+  const size_t vectors = ws->emitter[EOM_TASK_LINEARISE] == EOM_EMITTER_CALLS ? 2 * n : 1;
+  const size_t constant_mass = sys->motion && sys->motion->constant_mass, weighted = sys->options.weights != NULL;
+  const size_t stabilised = eom_is_stabilised(sys), work = sys->motion ? sys->motion->work : 0;
+#define EOM_TAKE(place, type, count) place = eom_arena_take(arena, count, sizeof(type));
+  EOM_SYSTEM_ARRAYS(EOM_TAKE, n, m1, m2, linearise, solves, vectors, constant_mass, weighted, stabilised, work, ws->njets, ws->ncontext)
+#undef EOM_TAKE
 }
 
 /* ---- the plan of a system: sizes, shapes, stages ---- */
@@ -237,6 +170,12 @@ static void plan_dissipation(const eom_system *sys, eom_workspace *ws, eom_stage
   plan_function(sys, ws, &sys->model->dissipation, id, spec, first_q, first_qd);
 }
 
+/* Their values. */
+static void plan_forces(const eom_system *sys, eom_workspace *ws) {
+  plan_force(sys, ws, STAGE_GAMMA, tl_univariate(0), -1, -1);
+  plan_dissipation(sys, ws, STAGE_DISSIPATION, tl_jacobian(sys->n), -1, 0);
+}
+
 static void plan_holonomic(const eom_system *sys, eom_workspace *ws, eom_stage_id id, tl_spec spec) {
   if (sys->m1 == 0) return;
   use_stage(ws, id, spec, 0, -1);
@@ -254,17 +193,19 @@ static void plan_nonholonomic(const eom_system *sys, eom_workspace *ws, eom_stag
 static void plan_stages(const eom_system *sys, eom_workspace *ws) {
   const int n = sys->n;
   plan_holonomic(sys, ws, STAGE_HOLONOMIC, tl_motion(2, n));
-  if (eom_is_stabilised(sys) || (sys->options.needs & EOM_NEED_LINEARISE))
+  if (eom_is_stabilised(sys) || EOM_BY_COORDINATES(sys->options.needs, sys->m2))
     plan_nonholonomic(sys, ws, STAGE_NONHOLONOMIC_Q, tl_jacobian(n), 0, -1);
-  if (ws->emitter[EOM_TASK_ENERGY] == EOM_EMITTER_CALLS) plan_lagrangian(sys, ws, STAGE_ENERGY, tl_jacobian(n), -1, 0);
+  if (ws->emitter[EOM_TASK_ENERGY] == EOM_EMITTER_CALLS) {
+    plan_lagrangian(sys, ws, STAGE_ENERGY, tl_jacobian(2 * n), 0, n);
+    plan_forces(sys, ws);
+  }
   if (ws->emitter[EOM_TASK_ASSEMBLE] == EOM_EMITTER_CALLS) {
     plan_lagrangian(sys, ws, STAGE_MASS, tl_hessian(n), -1, 0);
     plan_nonholonomic(sys, ws, STAGE_NONHOLONOMIC, tl_motion(1, n), -1, 0);
   }
   if (ws->emitter[EOM_TASK_ASSEMBLE] == EOM_EMITTER_CALLS || ws->emitter[EOM_TASK_RESIDUAL] == EOM_EMITTER_CALLS) {
     plan_lagrangian(sys, ws, STAGE_FORCE, tl_motion(1, 2 * n), 0, n);
-    plan_force(sys, ws, STAGE_GAMMA, tl_univariate(0), -1, -1);
-    plan_dissipation(sys, ws, STAGE_DISSIPATION, tl_jacobian(n), -1, 0);
+    plan_forces(sys, ws);
   }
   if (sys->motion) {
     plan_lagrangian(sys, ws, STAGE_LOCATE, tl_univariate(2), -1, -1);
@@ -314,7 +255,8 @@ static eom_status plan(eom_system *sys, eom_workspace *ws, const eom_model *mode
 
 /* Lays out everything: with a base, also starts the shapes. */
 static bool lay_out(eom_system *sys, eom_workspace **ws, eom_arena *arena) {
-  eom_workspace *kept = eom_arena_take(arena, 1, sizeof(eom_workspace));
+  _Static_assert(sizeof(eom_workspace) <= EOM_WORKSPACE_BYTES, "EOM_WORKSPACE_BYTES in eom/bytes.h is too small");
+  eom_workspace *kept = eom_arena_take(arena, 1, EOM_WORKSPACE_BYTES);
   if (kept) {
     *kept = **ws;
     *ws = kept;
@@ -327,13 +269,11 @@ static bool lay_out(eom_system *sys, eom_workspace **ws, eom_arena *arena) {
     s->shape = eom_arena_take(arena, 1, sizeof(tl_shape));
     if (arena->base && tl_shape_init(s->shape, s->spec, table, bytes) != 0) return false;
   }
-  take_public(sys, arena);
-  tl_real *weights = eom_arena_reals(arena, sys->options.weights ? (size_t)sys->m : 0);
-  if (weights) {
-    memcpy(weights, sys->options.weights, (size_t)sys->m * sizeof(tl_real));
-    sys->options.weights = weights;
+  take_arrays(sys, *ws, arena);
+  if ((*ws)->weights) {
+    memcpy((*ws)->weights, sys->options.weights, (size_t)sys->m * sizeof(tl_real));
+    sys->options.weights = (*ws)->weights;
   }
-  take_private(sys, *ws, arena);
   return !arena->overflow;
 }
 
@@ -342,7 +282,7 @@ size_t eom_system_bytes(const eom_model *model, const void *params, const eom_op
   eom_workspace local, *ws = &local;
   eom_arena count = {0};
   if (plan(&sys, ws, model, params, options) != EOM_OK || !lay_out(&sys, &ws, &count)) return 0;
-  return count.used + EOM_ALIGNMENT; /* the memory may start anywhere */
+  return EOM_ROUNDED(count.used) + EOM_ALIGNMENT; /* the memory may start anywhere */
 }
 
 eom_status eom_system_init(eom_system *sys, const eom_model *model, const void *params, const eom_options *options, void *memory,
@@ -360,27 +300,6 @@ eom_status eom_system_init(eom_system *sys, const eom_model *model, const void *
   ws->held.rank_q = ws->held.rank = sys->held_rank = -1;
   return EOM_OK;
 }
-
-/* The system itself at the front of one allocation. */
-eom_status eom_system_create(eom_system **out, const eom_model *model, const void *params, const eom_options *options) {
-  *out = NULL;
-  eom_system probe;
-  eom_workspace ws;
-  const eom_status status = plan(&probe, &ws, model, params, options);
-  if (status != EOM_OK) return status;
-  const size_t bytes = eom_system_bytes(model, params, options);
-  if (bytes == 0 || bytes > SIZE_MAX - sizeof(eom_system)) return EOM_NO_MEMORY;
-  eom_system *sys = malloc(sizeof(eom_system) + bytes);
-  if (!sys) return EOM_NO_MEMORY;
-  const eom_status started = eom_system_init(sys, model, params, options, sys + 1, bytes);
-  if (started == EOM_OK)
-    *out = sys;
-  else
-    free(sys);
-  return started;
-}
-
-void eom_system_destroy(eom_system *sys) { free(sys); }
 
 eom_row eom_system_row(const eom_system *sys, int i) {
   assert(i >= 0 && i < sys->m);

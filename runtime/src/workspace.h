@@ -2,14 +2,14 @@
 #ifndef EOM_WORKSPACE_H
 #define EOM_WORKSPACE_H
 
-#include "eom/system.h"
+#include "eom/bytes.h"
 #include "linalg.h"
 
 #include <stdbool.h>
 
 /* A kind of evaluation: a shape, the tangents that the seeds carry, and the memory its context takes. */
 typedef enum eom_stage_id {
-  STAGE_ENERGY,                /* {1} x C(n,1), tangents on qd */
+  STAGE_ENERGY,                /* {1} x C(2n,1) */
   STAGE_MASS,                  /* {1} x C(n,2), tangents on qd */
   STAGE_FORCE,                 /* {1,s} x C(2n,1) */
   STAGE_GAMMA,                 /* {1} */
@@ -69,8 +69,6 @@ typedef struct eom_held {
   tl_real speed;  /* the largest velocity of a projected state so far, coordinates scaled to unit inertia */
 } eom_held;
 
-#define EOM_LANES 8 /* right-hand sides that are solved for together: one vector register of the widest kind */
-
 /* Rows of lanes for eom_lanes_solve. */
 typedef struct eom_lanes {
   tl_real (*R1)[EOM_LANES], (*R2)[EOM_LANES];             /* n, m: right-hand sides */
@@ -89,6 +87,7 @@ struct eom_workspace {
   size_t njets, ncontext;
 
   const eom_linalg *linalg;
+  tl_real *weights; /* m: the user's W; null where there is none */
   eom_factor factor;
   eom_held held;
   tl_real *b_size;      /* m: size of the terms that cancel in b */

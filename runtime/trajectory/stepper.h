@@ -25,6 +25,11 @@ struct eom_trajectory {
   void *observer;
 };
 
+/* The right-hand side of the state, and what brings it onto the constraints, with their user. */
+eom_rhs_fn *eom_trajectory_rhs(const eom_trajectory *trajectory);
+eom_correct_fn *eom_trajectory_correct(const eom_trajectory *trajectory);
+void *eom_trajectory_user(const eom_trajectory *trajectory);
+
 /* Whether steps are chosen by their error. */
 int eom_trajectory_is_controlled(const eom_trajectory_options *options);
 

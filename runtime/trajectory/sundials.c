@@ -55,7 +55,11 @@ typedef struct sundials {
   const package *p;
   SUNContext context;
   void *memory; /* of the package */
+  int dim;      /* of y: the trajectory's, but for columns that CVODES follows */
   N_Vector y, at, atol;
+  int columns; /* that CVODES follows; 0: none */
+  N_Vector *S, *S_atol;
+  tl_real *z, *zdot; /* of the trajectory's dim, where there are such columns */
   SUNMatrix J;
   SUNLinearSolver solver;
   SUNNonlinearSolver iteration;
@@ -78,7 +82,34 @@ static int right_hand_side(sunrealtype t, N_Vector y, N_Vector ydot, void *user)
   eom_trajectory *r = user;
   sundials *s = r->data;
   s->evaluations++;
-  return recoverable(s, eom_rhs(r->sys, t, N_VGetArrayPointer(y), N_VGetArrayPointer(ydot)));
+  const int alone = s->columns > 0;
+  eom_rhs_fn *rhs = alone ? eom_rhs : eom_trajectory_rhs(r);
+  return recoverable(s, rhs(alone ? r->sys : eom_trajectory_user(r), t, N_VGetArrayPointer(y), N_VGetArrayPointer(ydot)));
+}
+
+/* z = (y, S) from CVODES' columns, and the other way. */
+static void gather(const sundials *s, tl_real *z, N_Vector y, N_Vector *S) {
+  memcpy(z, N_VGetArrayPointer(y), (size_t)s->dim * sizeof *z);
+  for (int j = 0; j < s->columns; j++)
+    for (int i = 0; i < s->dim; i++) z[s->dim + i * s->columns + j] = N_VGetArrayPointer(S[j])[i];
+}
+
+static void scatter(const sundials *s, N_Vector *S, const tl_real *z) {
+  for (int j = 0; j < s->columns; j++)
+    for (int i = 0; i < s->dim; i++) N_VGetArrayPointer(S[j])[i] = z[s->dim + i * s->columns + j];
+}
+
+/* S' of all columns. */
+static int columns_rhs(int count, sunrealtype t, N_Vector y, N_Vector ydot, N_Vector *S, N_Vector *Sdot, void *user, N_Vector a,
+                       N_Vector b) {
+  eom_trajectory *r = user;
+  sundials *s = r->data;
+  (void)count, (void)ydot, (void)a, (void)b;
+  s->evaluations++;
+  gather(s, s->z, y, S);
+  if (recoverable(s, eom_sensitivity_rhs(r->options.sensitivity, t, s->z, s->zdot))) return 1;
+  scatter(s, Sdot, s->zdot);
+  return 0;
 }
 
 /* F = [0 1; qdd_y] in columns. */
@@ -117,7 +148,7 @@ static const package arkode = {ERKSTEP(Evolve),       ERKSTEP(GetDky),      ERKS
 /* CVODE's projection: the change that the state needs. The error estimate stays as it is. */
 static int projection(sunrealtype t, N_Vector y, N_Vector change, sunrealtype tolerance, N_Vector error, void *user) {
   eom_trajectory *r = user;
-  const size_t dim = (size_t)r->dim;
+  const size_t dim = 2 * (size_t)r->sys->n;
   sunrealtype *to = N_VGetArrayPointer(change);
   const sunrealtype *from = N_VGetArrayPointer(y);
   (void)tolerance, (void)error;
@@ -130,7 +161,7 @@ static int projection(sunrealtype t, N_Vector y, N_Vector change, sunrealtype to
 /* ARKODE's: in place. */
 static int postprocess(sunrealtype t, N_Vector y, void *user) {
   eom_trajectory *r = user;
-  return recoverable(r->data, eom_project_state(r->sys, t, N_VGetArrayPointer(y)));
+  return recoverable(r->data, eom_trajectory_correct(r)(eom_trajectory_user(r), t, N_VGetArrayPointer(y)));
 }
 
 static int roots(sunrealtype t, N_Vector y, sunrealtype *g, void *user) {
@@ -144,7 +175,7 @@ static int roots(sunrealtype t, N_Vector y, sunrealtype *g, void *user) {
 static int set_tolerances(const eom_trajectory *r, const sundials *s) {
   const eom_step_control *c = &r->options.control;
   sunrealtype *atol = N_VGetArrayPointer(s->atol);
-  for (int i = 0; i < r->dim; i++) atol[i] = c->atol_each ? c->atol_each[i] : c->atol;
+  for (int i = 0; i < s->dim; i++) atol[i] = c->atol_each ? c->atol_each[i] : c->atol;
   return s->p->tolerances(s->memory, c->rtol, s->atol);
 }
 
@@ -155,6 +186,16 @@ static int set_events(const eom_trajectory *r, const sundials *s) {
   int code = s->p->watch(s->memory, events->count, roots);
   if (code == 0 && direction) code = s->p->watch_direction(s->memory, direction);
   return code == 0 ? s->p->watch_quietly(s->memory) : code;
+}
+
+static int start_columns(eom_trajectory *r, const sundials *s) {
+  const eom_step_control *c = &r->options.control;
+  for (int j = 0; j < s->columns; j++)
+    for (int i = 0; i < s->dim; i++)
+      N_VGetArrayPointer(s->S_atol[j])[i] = c->atol_each ? c->atol_each[s->dim + i * s->columns + j] : c->atol;
+  const int code = CVodeSensInit(s->memory, s->columns, CV_STAGGERED, columns_rhs, s->S);
+  if (code != 0) return code;
+  return CVodeSensSVtolerances(s->memory, c->rtol, s->S_atol) | CVodeSetSensErrCon(s->memory, c->tested == 0);
 }
 
 static int start_cvode(eom_trajectory *r, sundials *s, int implicit) {
@@ -168,19 +209,20 @@ static int start_cvode(eom_trajectory *r, sundials *s, int implicit) {
     s->iteration = SUNNonlinSol_FixedPoint(s->y, 0, s->context);
     return s->iteration ? CVodeSetNonlinearSolver(s->memory, s->iteration) : 1;
   }
-  s->J = SUNDenseMatrix(r->dim, r->dim, s->context);
+  s->J = SUNDenseMatrix(s->dim, s->dim, s->context);
   s->solver = s->J ? SUNLinSol_Dense(s->y, s->J, s->context) : NULL;
   if (!s->solver) return 1;
   code = CVodeSetLinearSolver(s->memory, s->solver, s->J) | CVodeSetJacFn(s->memory, jacobian);
+  if (code == 0 && s->columns > 0) code = start_columns(r, s);
   if (code == 0 && r->options.project && r->sys->m > 0) code = CVodeSetProjFn(s->memory, projection) | CVodeSetProjErrEst(s->memory, 0);
   return code;
 }
 
 static int start_arkode(eom_trajectory *r, sundials *s, const char *name) {
   const eom_step_control *c = &r->options.control;
-  const ARKODE_ERKTableID table = strcmp(name, "arkode_dp5") == 0       ? ARKODE_DORMAND_PRINCE_7_4_5
-                                  : strcmp(name, "arkode_verner6") == 0 ? ARKODE_VERNER_8_5_6
-                                                                        : ARKODE_FEHLBERG_13_7_8;
+  /* Not Verner's 6(5): SUNDIALS 6.4 takes its last stage for the slope of the next step (LLNL/sundials issue 311), and loses two
+   * orders. */
+  const ARKODE_ERKTableID table = strcmp(name, "arkode_dp5") == 0 ? ARKODE_DORMAND_PRINCE_7_4_5 : ARKODE_FEHLBERG_13_7_8;
   if (!(s->memory = ERKStepCreate(right_hand_side, r->t, s->y, s->context))) return 1;
   int code = ERKSTEP(SetUserData)(s->memory, r) | ERKStepSetTableNum(s->memory, table) | set_tolerances(r, s);
   code |= ERKSTEP(SetMaxNumSteps)(s->memory, NO_BOUND) | ERKSTEP(SetMaxStep)(s->memory, c->h_max);
@@ -209,20 +251,38 @@ static int start(eom_trajectory *r) {
   return code | silence(s) | set_events(r, s);
 }
 
+static int make_columns(sundials *s, int dim) {
+  s->S = N_VCloneVectorArray(s->columns, s->y);
+  s->S_atol = s->S ? N_VCloneVectorArray(s->columns, s->y) : NULL;
+  s->z = calloc(2 * (size_t)dim, sizeof *s->z);
+  s->zdot = s->z ? s->z + dim : NULL;
+  return s->S_atol && s->z;
+}
+
+static void put_state(const eom_trajectory *r, const sundials *s) {
+  memcpy(N_VGetArrayPointer(s->y), r->y, (size_t)s->dim * sizeof(tl_real));
+  scatter(s, s->S, r->y);
+}
+
 static eom_status create(eom_trajectory *r, const eom_trajectory_method *method) {
   sundials *s = r->data = calloc(1, sizeof *s);
   if (!s) return EOM_NO_MEMORY;
   const eom_step_control *c = &r->options.control;
-  if (c->rtol_each || c->h_min != 0.0 || !(c->rtol >= 0.0) || !(c->atol >= 0.0) || !(c->h_max >= 0.0)) return EOM_BAD_OPTION;
+  const int columns = method->implicit && r->options.sensitivity ? r->options.sensitivity->k : 0;
+  if (c->rtol_each || (c->tested != 0 && !(columns > 0 && c->tested == 2 * r->sys->n)) || c->h_min != 0.0 || !(c->rtol >= 0.0) ||
+      !(c->atol >= 0.0) || !(c->h_max >= 0.0))
+    return EOM_BAD_OPTION;
   s->method = method;
   s->p = strncmp(method->name, "cvode", strlen("cvode")) == 0 ? &cvode : &arkode;
   s->found = calloc(r->options.events ? (size_t)r->options.events->count + 1 : 1, sizeof *s->found);
   if (!s->found || SUNContext_Create(NO_COMMUNICATOR, &s->context) != 0) return EOM_NO_MEMORY;
-  s->y = N_VNew_Serial(r->dim, s->context);
+  s->columns = columns;
+  s->dim = columns > 0 ? 2 * r->sys->n : r->dim;
+  s->y = N_VNew_Serial(s->dim, s->context);
   s->at = s->y ? N_VClone(s->y) : NULL;
   s->atol = s->at ? N_VClone(s->y) : NULL;
-  if (!s->atol) return EOM_NO_MEMORY;
-  memcpy(N_VGetArrayPointer(s->y), r->y, (size_t)r->dim * sizeof(tl_real));
+  if (!s->atol || (columns > 0 && !make_columns(s, r->dim))) return EOM_NO_MEMORY;
+  put_state(r, s);
   return start(r) == 0 ? EOM_OK : EOM_NO_MEMORY;
 }
 
@@ -233,11 +293,14 @@ static void destroy(eom_trajectory *r) {
   if (s->iteration) SUNNonlinSolFree(s->iteration);
   if (s->solver) SUNLinSolFree(s->solver);
   if (s->J) SUNMatDestroy(s->J);
+  if (s->S) N_VDestroyVectorArray(s->S, s->columns);
+  if (s->S_atol) N_VDestroyVectorArray(s->S_atol, s->columns);
   if (s->atol) N_VDestroy(s->atol);
   if (s->at) N_VDestroy(s->at);
   if (s->y) N_VDestroy(s->y);
   if (s->context) SUNContext_Free(&s->context);
   free(s->found);
+  free(s->z);
   free(s);
 }
 
@@ -260,17 +323,27 @@ static eom_status verdict(int flag) {
   }
 }
 
+/* The state at t in the last step, or null. */
+static const tl_real *state_at(const eom_trajectory *r, tl_real t) {
+  const sundials *s = r->data;
+  if (s->p->interpolate(s->memory, t, 0, s->at) != 0) return NULL;
+  if (s->columns == 0) return N_VGetArrayPointer(s->at);
+  if (CVodeGetSensDky(s->memory, t, 0, s->S) != 0) return NULL;
+  gather(s, s->z, s->at, s->S);
+  return s->z;
+}
+
 /* The outputs up to now. The state at t itself is not interpolated. */
 static eom_status write_outputs(eom_trajectory *r, tl_real before) {
   eom_outputs *o = r->options.outputs;
-  const sundials *s = r->data;
   const tl_real sign = r->t >= before ? TL_C(1.0) : TL_C(-1.0);
   for (; o && o->next < o->count; o->next++) {
     const tl_real t = o->times ? o->times[o->next] : o->first + (tl_real)o->next * o->every;
     if (sign * (t - r->t) > TL_C(0.0)) break;
     if (sign * (t - before) < TL_C(0.0)) return EOM_NOT_IN_STEP;
-    if (t != r->t && s->p->interpolate(s->memory, t, 0, s->at) != 0) return EOM_NOT_IN_STEP;
-    o->write(o->user, t, t == r->t ? r->y : N_VGetArrayPointer(s->at));
+    const tl_real *y = t == r->t ? r->y : state_at(r, t);
+    if (!y) return EOM_NOT_IN_STEP;
+    o->write(o->user, t, y);
   }
   return EOM_OK;
 }
@@ -296,11 +369,15 @@ static eom_trajectory_work worked(const eom_trajectory *r) {
 static eom_status restart(eom_trajectory *r) {
   sundials *s = r->data;
   const eom_trajectory_work before = worked(r);
-  memcpy(N_VGetArrayPointer(s->y), r->y, (size_t)r->dim * sizeof(tl_real));
+  put_state(r, s);
   s->direction = 0;
   s->steps = before.steps;
   s->rejected = before.rejected;
-  if (s->p == &cvode) return CVodeReInit(s->memory, r->t, s->y) == 0 ? EOM_OK : EOM_STEP_TOO_SMALL;
+  if (s->p == &cvode) {
+    int code = CVodeReInit(s->memory, r->t, s->y);
+    if (code == 0 && s->columns > 0) code = CVodeSensReInit(s->memory, CV_STAGGERED, s->S);
+    return code == 0 ? EOM_OK : EOM_STEP_TOO_SMALL;
+  }
   s->p->destroy(&s->memory);
   return start(r) == 0 ? EOM_OK : EOM_NO_MEMORY;
 }
@@ -332,7 +409,8 @@ static eom_status step(eom_trajectory *r, tl_real t_end) {
   const int flag = s->p->evolve(s->memory, t_end, s->y, &t, CV_ONE_STEP);
   if (flag < 0) return s->code != 0 && verdict(flag) != EOM_TOO_MUCH_WORK ? EOM_RHS_FAILED : verdict(flag);
   r->t = t;
-  memcpy(r->y, N_VGetArrayPointer(s->y), (size_t)r->dim * sizeof(tl_real));
+  if (s->columns > 0 && CVodeGetSens(s->memory, &t, s->S) != 0) return EOM_STEP_TOO_SMALL;
+  gather(s, r->y, s->y, s->S);
   const eom_status written = write_outputs(r, before);
   return written == EOM_OK && flag == CV_ROOT_RETURN ? handle_events(r) : written;
 }

@@ -13,7 +13,7 @@ says scratch/out.txt '^ What the intervals of 1000 s would say of Table 1 is lef
 grep -q 'So the values of Table 1' scratch/out.txt && fail "20 s conclude about 1000 s"
 
 # The step is said to be chosen only where it is.
-says scratch/out.txt 'step chosen so that'
+says scratch/out.txt 'steps chosen so that'
 run 0 "$1" --table1 --links 1 --t-end 5 --step 0.01
 says scratch/out.txt '^ Q re-orthonormalised, step 0\.01 s$'
 leaves table.csv

@@ -1,6 +1,6 @@
 /* The closed forms that hard cases are held against, beside digits of the same forms in 50-digit arithmetic. */
 #include "close.h"
-#include "hard_cases/scene.h"
+#include "scene.h"
 
 /* Of closed forms in double over up to a thousand periods, relative to the larger of 1 and the number: measured 6e-13 (A01), 5e-14
  * (A02_2), 3e-12 (kepler, whose energy is a difference of numbers two hundred times as large). */

@@ -30,7 +30,8 @@ static void judge(const call *c, const char *function, int code) {
 static void energy(const call *c) {
   double **g = c->v->group;
   if (c->motion->energy)
-    judge(c, "energy", c->motion->energy(c->params, c->q, c->qd, c->t, g[FUZZ_MOMENTUM], g[FUZZ_LAGRANGIAN], g[FUZZ_ENERGY], c->work));
+    judge(c, "energy",
+          c->motion->energy(c->params, c->q, c->qd, c->t, g[FUZZ_MOMENTUM], g[FUZZ_RATE], g[FUZZ_LAGRANGIAN], g[FUZZ_ENERGY], c->work));
   else
     fuzz_make_absent(c->v, FUZZ_LAGRANGIAN, FUZZ_MASS);
 }

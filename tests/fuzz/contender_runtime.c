@@ -18,6 +18,7 @@ static eom_status assembled(eom_system *sys, const fuzz_point *p, fuzz_numbers *
   if (status) return status;
   take(v, FUZZ_LAGRANGIAN, &sys->lagrangian);
   take(v, FUZZ_MOMENTUM, sys->momentum);
+  take(v, FUZZ_RATE, sys->momentum_rate);
   take(v, FUZZ_ENERGY, &sys->energy);
   take(v, FUZZ_MASS, sys->M);
   take(v, FUZZ_FORCE, sys->Q);

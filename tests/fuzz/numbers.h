@@ -7,6 +7,7 @@
   X(LAGRANGIAN, "L", 1, 1)                                                                                                             \
   X(MOMENTUM, "momentum", n, 1)                                                                                                        \
   X(ENERGY, "energy", 1, 1)                                                                                                            \
+  X(RATE, "momentum_rate", n, 1)                                                                                                       \
   X(MASS, "M", n, n)                                                                                                                   \
   X(FORCE, "Q", n, 1)                                                                                                                  \
   X(PHI, "phi", m1, 1)                                                                                                                 \

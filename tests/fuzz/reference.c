@@ -289,17 +289,19 @@ static void widen(quad *to, const double *from, int count) {
   for (int i = 0; i < count; i++) to[i] = (quad)from[i];
 }
 
-/* L, momentum, energy, M, Q, and the residual at the trial accelerations. Returns the largest of L's first derivatives. */
+/* L, momentum and its rate, energy, M, Q, and the residual at the trial accelerations. Returns the largest of L's first derivatives. */
 static double unconstrained(evaluation *e, fuzz_numbers *v, const quad *x, const quad *trial) {
   const int n = e->n;
   const quad rest[MAX_N] = {0};
   quad y[MAX_X], r[MAX_N], momentum, energy = -lagrangian(e, x);
+  force(e, r, x);
   double largest = 0.0;
   v->group[FUZZ_LAGRANGIAN][0] = -(double)energy;
   for (int i = 0; i < n; i++) {
     momentum = slope(e, x, n + i);
     energy += momentum * x[n + i];
     v->group[FUZZ_MOMENTUM][i] = (double)momentum;
+    v->group[FUZZ_RATE][i] = (double)(slope(e, x, i) + r[i]);
     largest = fmax(largest, fmax(magnitude(momentum), magnitude(slope(e, x, i))));
     for (int j = 0; j <= i; j++) {
       quad sum = 0;

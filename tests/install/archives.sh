@@ -6,7 +6,7 @@ cd "$build"
 rm -f ./libtaylor*.deb ./libtaylor*.tar.gz
 cpack >cpack.log 2>&1 || { cat cpack.log; exit 1; }
 for listing in "$(tar tzf libtaylor-"$version"-*.tar.gz)" "$(dpkg-deb -c libtaylor_"$version"_*.deb)"; do
-  for file in libtaylor.a taylor/taylor.h eom/eom.h libtaylorConfig.cmake; do
+  for file in libtaylor.a taylor/taylor.h eom/eom.h libtaylorConfig.cmake bin/eom; do
     grep -q "/$file\$" <<<"$listing" || { echo "$file is missing from"; echo "$listing"; exit 1; }
   done
 done

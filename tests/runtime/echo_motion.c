@@ -29,12 +29,13 @@ static int fits(const void *params) {
   return model->dof(params) == current->inner->n && rows == current->inner->m1;
 }
 
-static int energy(const void *params, const tl_real *q, const tl_real *qd, tl_real t, tl_real *momentum, tl_real *lagrangian,
-                  tl_real *total, tl_real *work) {
+static int energy(const void *params, const tl_real *q, const tl_real *qd, tl_real t, tl_real *momentum, tl_real *rate,
+                  tl_real *lagrangian, tl_real *total, tl_real *work) {
   (void)params, (void)work;
   eom_system *inner = current->inner;
   const eom_status status = eom_energy(inner, q, qd, t);
   copy(momentum, inner->momentum, inner->n);
+  copy(rate, inner->momentum_rate, inner->n);
   *lagrangian = inner->lagrangian;
   *total = inner->energy;
   return code_of(status);

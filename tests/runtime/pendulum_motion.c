@@ -15,12 +15,16 @@ static int verdict(const pendulum *p, int n) {
   return TL_ISFINITE(p->g) ? 0 : EOM_MOTION_NOT_FINITE;
 }
 
-static int energy(int n, const pendulum *p, const tl_real *q, const tl_real *qd, tl_real *momentum, tl_real *lagrangian,
+static int energy(int n, const pendulum *p, const tl_real *q, const tl_real *qd, tl_real *momentum, tl_real *rate, tl_real *lagrangian,
                   tl_real *total) {
   tl_real kinetic = 0, potential = 0;
   for (int i = 0; i < n; i++) {
     momentum[i] = 0;
-    for (int j = 0; j < n; j++) momentum[i] += weight(n, i, j) * TL_LIBM(cos)(q[i] - q[j]) * qd[j];
+    rate[i] = -(tl_real)(n - i) * p->g * TL_LIBM(sin)(q[i]);
+    for (int j = 0; j < n; j++) {
+      momentum[i] += weight(n, i, j) * TL_LIBM(cos)(q[i] - q[j]) * qd[j];
+      rate[i] -= weight(n, i, j) * TL_LIBM(sin)(q[i] - q[j]) * qd[i] * qd[j];
+    }
     kinetic += momentum[i] * qd[i] / 2;
     potential -= (tl_real)(n - i) * p->g * TL_LIBM(cos)(q[i]);
   }
@@ -135,8 +139,8 @@ static const char *const parameter[] = {"p->g"};
 #define UNUSED (void)t, (void)work
 #define AT_SIZE(links, name)                                                                                                           \
   static int fits_##links(const void *p) { return ((const pendulum *)p)->n == links; }                                                 \
-  static int energy_##links(STATE, tl_real *momentum, tl_real *lagrangian, tl_real *total, tl_real *work) {                            \
-    return UNUSED, energy(links, p, q, qd, momentum, lagrangian, total);                                                               \
+  static int energy_##links(STATE, tl_real *momentum, tl_real *rate, tl_real *lagrangian, tl_real *total, tl_real *work) {             \
+    return UNUSED, energy(links, p, q, qd, momentum, rate, lagrangian, total);                                                         \
   }                                                                                                                                    \
   static int simulate_##links(STATE, const eom_parts *out, tl_real *work) { return UNUSED, simulate(links, p, q, qd, out); }           \
   static int residual_##links(STATE, const tl_real *qdd, tl_real *r, tl_real *work) {                                                  \

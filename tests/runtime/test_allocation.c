@@ -51,7 +51,9 @@ static void evaluate(const eom_model *model, const void *params, eom_linalg_choi
   const int n = sys->n;
   eom_integrator it;
   eom_lyapunov *ly;
-  assert_int_equal(eom_lyapunov_create(&ly, sys, NULL, 0, y, 1e-3), EOM_OK);
+  eom_lyapunov_options exponents = eom_lyapunov_options_default();
+  exponents.interval = 1e-3;
+  assert_int_equal(eom_lyapunov_create(&ly, sys, &exponents, 0, y), EOM_OK);
 
   const long before = allocations;
   assert_int_equal(eom_linearise(sys, y, y + n, 0), EOM_OK);

@@ -7,22 +7,22 @@
 #include <math.h>
 #include <string.h>
 
-/* A run reduced to what intervals read: rho grows by x per step of h. */
+/* A run reduced to what intervals read: rho grows by x per mark. */
 typedef struct run {
   eom_lyapunov ly;
   double block[EOM_LYAPUNOV_BLOCKS], start, rho;
 } run;
 
-static void begin(run *r, int blocks, long block_steps) {
+static void begin(run *r, int blocks, long block_marks) {
   *r = (run){0};
-  r->ly.dim = 1;
+  r->ly.k = 1;
   r->ly.block = r->block;
   r->ly.block_start = &r->start;
   r->ly.rho = &r->rho;
   r->ly.nblock = blocks;
-  r->ly.block_steps = block_steps;
-  r->ly.it.h = 0.5;
-  r->ly.t_rho = (double)blocks * (double)block_steps * 0.5;
+  r->ly.block_marks = block_marks;
+  r->ly.options.interval = 0.5;
+  r->ly.t = (double)blocks * (double)block_marks * 0.5;
 }
 
 static double normal(rng *r) { return sqrt(-2 * log(rng_uniform(r, 1e-300, 1))) * cos(2 * acos(-1.0) * rng_uniform(r, 0, 1)); }

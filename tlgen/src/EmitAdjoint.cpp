@@ -20,7 +20,7 @@ const std::vector<std::pair<std::string, std::string>> &allFunctions() {
   static const std::vector<std::pair<std::string, std::string>> functions = {
       {"energy", "energy"},       {"simulate", "simulate"},     {"residual", "residual"},     {"linearise", "linearise"},
       {"tangent", "tangent"},     {"parameters", "parameters"}, {"acceleration", "simulate"}, {"jacobian", "linearise"},
-      {"directional", "tangent"}, {"constrained", "simulate"}};
+      {"directional", "tangent"}, {"constrained", "simulate"},  {"taylor", "taylor"}};
   return functions;
 }
 
@@ -28,7 +28,8 @@ bool isSolved(const std::string &function) { return function == "acceleration" |
 
 // The same list with the needs that others are built on.
 std::set<std::string> completed(std::set<std::string> needs) {
-  if (needs.count("linearise") || needs.count("tangent") || needs.count("parameters")) needs.insert("simulate");
+  if (needs.count("linearise") || needs.count("tangent") || needs.count("parameters") || needs.count("taylor"))
+    needs.insert("simulate");
   return needs;
 }
 
@@ -47,6 +48,10 @@ public:
         if (constrained()) printConstrained();
         continue;
       }
+      if (function == "taylor") {
+        printTaylor();
+        continue;
+      }
       if (isSolved(function) && constrained()) continue;
       print(function);
       if (options_.lanes && isSolved(function)) printLanes(function + "_lanes");
@@ -55,6 +60,10 @@ public:
     if (printed_.empty()) return text;
     text.source = fits() + identity() + definitions_ + description();
     text.header = header();
+    text.n = last_->n, text.m1 = last_->m1, text.m2 = last_->m2, text.work = workspace_;
+    text.constantMass = has("simulate") && last_->constantMass();
+    text.functions = printed_;
+    text.sizes = options_.sizes;
     text.report = report();
     return text;
   }
@@ -136,8 +145,19 @@ private:
     made[rows] = candidate("constrained", rows);
     if (!made[rows].made)
       report_.proved.push_back("No solution of the constrained equations: " + made[rows].why->why + ".");
-    else if (made[rows].made->definition.size() <= longestSolution)
+    else if (readLength(made[rows].made->definition) <= longestSolution)
       take("constrained", rows, forced ? "asked for" : "the only one", made);
+  }
+
+  // Coefficients along a motion, in registers; without them there are other methods.
+  void printTaylor() {
+    const bool rows = false;
+    Candidate made[2];
+    made[rows] = candidate("taylor", rows);
+    if (made[rows].made)
+      take("taylor", rows, "the only one", made);
+    else
+      leaveOut("taylor-unsuitable", "taylor", *made[rows].why);
   }
 
   // Whether M has few elements in each row, as the functions before say. How many A has is only seen in registers.
@@ -149,8 +169,9 @@ private:
 
   void take(const std::string &function, bool rows, const std::string &why, const Candidate (&made)[2]) {
     const MotionFunction &f = *made[rows].made;
-    if (f.definition.size() > longestFunction && options_.form == Form::Auto && function != "constrained") {
-      std::string size = std::to_string(f.definition.size() / 1000);
+    if (const size_t length = readLength(f.definition);
+        length > longestFunction && options_.form == Form::Auto && function != "constrained" && function != "taylor") {
+      std::string size = std::to_string(length / 1000);
       diags_.add("adjoint-large", program_, model_.functions[0].function->loc, "'" + function + "' would be " + size + " kB of C");
       return;
     }
@@ -207,7 +228,7 @@ private:
     const Identity &identity = last_->identity;
     if (definitions_.find(identity.name) == std::string::npos) return "";
     std::string ones;
-    for (long k = 0; k < identity.stride; ++k) ones += (k ? ", [" : "[") + std::to_string(k * identity.stride + k) + "] = 1.0";
+    for (long k = 0; k < identity.stride; ++k) ones += (k ? ", [" : "[") + std::to_string(k * identity.stride + k) + "] = TL_C(1.0)";
     return "static const tl_real " + identity.name + "[" + std::to_string(identity.stride * identity.stride) + "] = {" + ones +
            "};\n\n";
   }
@@ -240,8 +261,7 @@ private:
         std::any_of(printed_.begin(), printed_.end(), [&](const std::string &f) { return f.find("_lanes") != std::string::npos; });
     if (lanes) members += "  .lanes = TL_LANES,\n";
     for (const std::string &function : printed_) members += "  ." + function + " = " + name_ + "_" + function + ",\n";
-    return s + "const eom_motion " + name_ + "_motion = {\n" + members + "};\n\nstatic const eom_motion *const " + name_ +
-           "_motions[] = {&" + name_ + "_motion};\n\n";
+    return s + "const eom_motion " + name_ + "_motion = {\n" + members + "};\n\n";
   }
 
   std::string header() const {
@@ -301,7 +321,7 @@ std::string wrongParameter(const Model &model, const MotionOptions &options) {
 } // namespace
 
 const std::vector<std::string> &allNeeds() {
-  static const std::vector<std::string> needs = {"energy", "simulate", "residual", "linearise", "tangent", "parameters"};
+  static const std::vector<std::string> needs = {"energy", "simulate", "residual", "linearise", "tangent", "parameters", "taylor"};
   return needs;
 }
 

@@ -32,9 +32,13 @@ const std::vector<std::string> &allNeeds();
 std::string reportHeader();
 
 struct MotionText {
-  std::string source; // functions and tables, for the model's .c file
-  std::string header; // their declarations
-  std::string report; // see Report.h
+  long n = 0, m1 = 0, m2 = 0, work = 0; // as in eom_motion
+  bool constantMass = false;
+  std::map<std::string, long> sizes;  // of members of the parameter struct
+  std::vector<std::string> functions; // that were printed: "simulate", "acceleration"
+  std::string source;                 // functions and tables, for the model's .c file
+  std::string header;                 // their declarations
+  std::string report;                 // see Report.h
   bool any() const { return !source.empty(); }
 };
 

@@ -1,5 +1,6 @@
 // The calls emitter: tables, structs and functions in order, and the constant that describes the model to the runtime.
 #include "EmitCalls.h"
+#include "EmitDescription.h"
 #include "FrameBound.h"
 #include "Names.h"
 
@@ -12,8 +13,9 @@ namespace {
 
 class ModelEmitter {
 public:
-  ModelEmitter(const Program &program, const Model &model, const Activity &activity, const MotionText &motion, Diagnostics &diags)
-      : program_(program), model_(model), activity_(activity), motion_(motion), diags_(diags), needed_(needed()) {}
+  ModelEmitter(const Program &program, const Model &model, const Activity &activity, const MotionText &motion, Diagnostics &diags,
+               Content content)
+      : program_(program), model_(model), activity_(activity), motion_(motion), diags_(diags), content_(content), needed_(needed()) {}
 
   EmittedModel run(const std::string &headerName) {
     nameVariants();
@@ -29,9 +31,16 @@ public:
     if (!prototypes.empty()) functions = prototypes + "\n" + functions;
     EmittedModel out;
     out.header = header();
-    out.source = title(".") + (userHeaders().empty() ? "" : "#define " + ownMark() + "\n") + "#include \"" + headerName +
-                 "\"\n\n#include \"taylor/taylor.h\"\n" + kernels() + "\n" + sourceRecords() + externals() + tables() + functions +
-                 adapters() + motion_.source + description();
+    out.source = title(".") + (userHeaders().empty() ? "" : "#define " + ownMark() + "\n") + "#include \"" + headerName + "\"\n";
+    if (content_ == Content::Motion) {
+      out.source += (program_.rules.empty() ? "" : "\n#include \"taylor/rule.h\"\n") + kernels() + "\n" + sourceRecords() +
+                    externals() + tables() + motion_.source;
+      return out;
+    }
+    out.source += "\n#include \"taylor/taylor.h\"\n" + kernels() + "\n" + sourceRecords() + externals() + tables() + functions +
+                  adapters() + motion_.source + description();
+    if (content_ == Content::Whole) out.source += emitDescription(program_, model_, motion_.any());
+    out.sizes = sizes();
     return out;
   }
 
@@ -49,17 +58,18 @@ private:
   std::string kernels() const {
     if (!motion_.any()) return "";
     auto calls = [&](const char *name) { return motion_.source.find(name) != std::string::npos; };
-    return std::string("\n#include \"eom/motion.h\"\n#include \"taylor/finite.h\"\n#include \"taylor/ldl.h\"\n") +
-           (calls("tl_power") ? "#include \"taylor/power.h\"\n" : "") + (calls("tl_row") ? "#include \"taylor/row.h\"\n" : "") +
-           "#include \"taylor/sincos_array.h\"\n" +
+    return std::string("\n#include \"eom/motion.h\"\n") + (calls("tl_series_") ? "#include \"taylor/convolve.h\"\n" : "") +
+           "#include \"taylor/finite.h\"\n#include \"taylor/ldl.h\"\n" + (calls("tl_power") ? "#include \"taylor/power.h\"\n" : "") +
+           (calls("tl_row") ? "#include \"taylor/row.h\"\n" : "") + "#include \"taylor/sincos_array.h\"\n" +
            (calls("tl_lanes") ? "#include \"taylor/ldl_lanes.h\"\n#include \"taylor/sincos_lanes.h\"\n" : "") +
            "\n"
            "#ifdef __clang__\n#pragma clang diagnostic ignored \"-Wpass-failed\" /* a loop that is not worth a vector */\n#endif\n";
   }
 
   // A struct that stands in a .c file can be had from nowhere else, so the header defines it; one from a header is the user's to
-  // include.
+  // include, but not that of an export, which has all it needs.
   bool inHeader(const Record *r) const {
+    if (content_ != Content::Whole) return true;
     const std::string &file = program_.files[static_cast<size_t>(r->loc.file)];
     return file.size() > 2 && file.compare(file.size() - 2, 2, ".c") == 0;
   }
@@ -106,13 +116,15 @@ private:
     return s;
   }
 
-  // All structs for the functions; for others the header's own, behind the headers of the rest.
+  // All structs for the functions; for others the header's own, behind the headers of the rest. Those have doubles: in a build with
+  // other numbers nobody can share them, and all structs are the header's own.
   std::string headerRecords() const {
     std::set<const Record *> own, foreign;
     for (const Record *r : needed_) (inHeader(r) ? own : foreign).insert(r);
     std::string before;
     if (!foreign.empty())
-      before = "#ifdef " + ownMark() + "\n" + definitions(foreign, false) + "#else\n" + userHeaders() + "#endif\n\n";
+      before = "#if defined " + ownMark() + " || TL_REAL != TL_DOUBLE\n" + definitions(foreign, false) + "#else\n" + userHeaders() +
+               "#endif\n\n";
     return before + definitions(own, true);
   }
 
@@ -129,10 +141,13 @@ private:
     std::string guard = model_.name + "_TL_H";
     std::transform(guard.begin(), guard.end(), guard.begin(), [](unsigned char ch) { return static_cast<char>(toupper(ch)); });
     const bool lanes = motion_.header.find("tl_lanes") != std::string::npos;
-    return title(".") + "#ifndef " + guard + "\n#define " + guard + "\n\n#include \"eom/model.h\"\n" +
-           (lanes ? "#include \"taylor/lanes.h\"\n\n" : "\n") + headerRecords() +
-           "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\nextern const eom_model " + model_.name + "_model;\n" + motion_.header +
-           "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
+    const std::string includes = content_ == Content::Whole ? "description.h" : content_ == Content::Model ? "model.h" : "motion.h";
+    std::string declared;
+    if (content_ != Content::Motion) declared += "extern const eom_model " + model_.name + "_model;\n";
+    if (content_ == Content::Whole) declared += "extern const eom_description " + model_.name + "_description;\n";
+    return title(".") + "#ifndef " + guard + "\n#define " + guard + "\n\n#include \"eom/" + includes + "\"\n" +
+           (lanes ? "#include \"taylor/lanes.h\"\n\n" : "\n") + headerRecords() + "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n" +
+           declared + motion_.header + "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
   }
 
   // Functions from elsewhere. Of stdlib.h only those that are called, since its other names may be the user's.
@@ -254,7 +269,9 @@ private:
   }
 
   std::string description() const {
-    std::string s = countFunction(model_.name + "_dof", model_.dof), lists;
+    std::string s, lists;
+    if (motion_.any()) s = "static const eom_motion *const " + model_.name + "_motions[] = {&" + model_.name + "_motion};\n\n";
+    s += countFunction(model_.name + "_dof", model_.dof);
     std::string lagrangian = "{0}", force = "{0}", dissipation, constraints[2];
     int counts[2] = {};
     for (size_t i = 0; i < model_.functions.size(); ++i) {
@@ -288,11 +305,33 @@ private:
            (motion_.any() ? ",\n  .motion = " + model_.name + "_motions,\n  .nmotion = 1" : "") + ",\n};\n";
   }
 
+  // n, m1, m2, work, constant mass, and the most rows and the largest frame of holonomic, nonholonomic and all functions.
+  std::string sizes() const {
+    long rows[3] = {}, frames[3] = {};
+    for (size_t i = 0; i < model_.functions.size(); ++i) {
+      const ModelFunction &f = model_.functions[i];
+      Diagnostics said;
+      const Bound bound = FrameBound(emitted_, program_, model_, said).of(activity_.roots()[i], f.args);
+      auto size = motion_.sizes.find(f.rows.member);
+      const bool known = f.rows.member.empty() || size != motion_.sizes.end();
+      if (!bound.terms.empty() || !known || !motion_.any()) return "";
+      const long count = f.role == Role::Force ? motion_.n : f.rows.member.empty() ? f.rows.value : size->second;
+      const int kind = f.role == Role::Holonomic ? 0 : f.role == Role::Nonholonomic ? 1 : 2;
+      for (int k : {kind, 2}) rows[k] = std::max(rows[k], count), frames[k] = std::max(frames[k], bound.fixed);
+    }
+    std::string s;
+    for (long number : {motion_.n, motion_.m1, motion_.m2, motion_.work, long(motion_.constantMass)})
+      s += std::to_string(number) + ", ";
+    for (int k = 0; k < 3; ++k) s += std::to_string(rows[k]) + ", " + std::to_string(frames[k]) + (k < 2 ? ", " : "");
+    return s;
+  }
+
   const Program &program_;
   const Model &model_;
   const Activity &activity_;
   const MotionText &motion_;
   Diagnostics &diags_;
+  const Content content_;
   const std::set<const Record *> needed_;
   Emitted emitted_;
 };
@@ -300,8 +339,8 @@ private:
 } // namespace
 
 EmittedModel emitCalls(const Program &program, const Model &model, const Activity &activity, const MotionText &motion,
-                       Diagnostics &diags, const std::string &headerName) {
-  return ModelEmitter(program, model, activity, motion, diags).run(headerName);
+                       Diagnostics &diags, const std::string &headerName, Content content) {
+  return ModelEmitter(program, model, activity, motion, diags, content).run(headerName);
 }
 
 } // namespace tlgen

@@ -9,12 +9,16 @@ namespace tlgen {
 
 struct EmittedModel {
   std::string source, header;
+  std::string sizes; // of EOM_SYSTEM_BYTES (eom/bytes.h); empty where they are no constants
 };
+
+// What of a model is printed: all of it; without names and comments for programs that show it to people; or its motion functions alone.
+enum class Content { Whole, Model, Motion };
 
 // motion: the model's motion functions, printed beside these. headerName: how the source includes its header. The text depends on
 // nothing but the arguments. Frames without a bound are reported.
 EmittedModel emitCalls(const Program &program, const Model &model, const Activity &activity, const MotionText &motion,
-                       Diagnostics &diags, const std::string &headerName);
+                       Diagnostics &diags, const std::string &headerName, Content content = Content::Whole);
 
 } // namespace tlgen
 

@@ -283,7 +283,7 @@ Text FunctionEmitter::value(const Expr *e) {
   if ((e->kind == Expr::Assign || e->kind == Expr::Step) && activeInteger(e->args[0])) return changeInteger(e);
   switch (e->kind) {
   case Expr::Literal:
-    return {e->text, e->text[0] == '-' ? Prefix : Primary};
+    return literalText(e);
   case Expr::Ref:
     return {nameOf(e->var), Primary};
   case Expr::Index: {
@@ -316,16 +316,21 @@ Text FunctionEmitter::value(const Expr *e) {
   case Expr::Call:
     return callValue(e);
   case Expr::MathCall: {
-    std::string args;
-    for (const Expr *arg : e->args) args += (args.empty() ? "" : ", ") + operand(value(arg), Assignment);
+    std::string list;
+    std::vector<Text> args;
+    for (const Expr *arg : e->args) {
+      args.push_back(value(arg));
+      list += (list.empty() ? "" : ", ") + operand(args.back(), Assignment);
+    }
     if (e->text == "abs" || e->text == "labs" || e->text == "llabs") emitted_.absolutes.insert(e->text);
-    return {e->text + "(" + args + ")", Postfix};
+    return e->rule ? externalText(e->text, args) : mathText(e->text, list);
   }
   case Expr::Cast: {
     const Expr *inner = e->args[0];
     bool plainInteger = inner->kind == Expr::Literal && inner->type->kind == Type::Integer &&
                         inner->text.find_first_not_of("0123456789") == std::string::npos;
-    if (plainInteger && e->type->kind == Type::Real) return {inner->text + (isSingle(e->type) ? ".0f" : ".0"), Primary};
+    if (plainInteger && e->type->kind == Type::Real)
+      return {isSingle(e->type) ? inner->text + ".0f" : realConstant(inner->text + ".0"), Primary};
     if (plainInteger && e->type->kind == Type::Integer && integerSuffix(e->type->name))
       return {inner->text + integerSuffix(e->type->name), Primary};
     if (e->type->kind == Type::Pointer && inner->type->kind == Type::Pointer && !dropsConst(e)) return value(inner);

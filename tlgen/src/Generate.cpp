@@ -1,7 +1,7 @@
 // One run of the tool, as a ladder: each step that leaves errors behind ends it.
 #include "Generate.h"
 
-#include "EmitCalls.h"
+#include "Export.h"
 #include "Frontend.h"
 #include "Lower.h"
 #include "MemoryCheck.h"
@@ -12,7 +12,9 @@
 #include "Selftest.h"
 
 #include <algorithm>
+#include <cerrno>
 #include <csignal>
+#include <cstring>
 #include <filesystem>
 #include <iostream>
 
@@ -53,9 +55,38 @@ bool overwrites(const Run &run, std::set<std::string> read) {
   return !run.sarif.empty() && taken("--sarif", run.sarif);
 }
 
+// What --export does to the disk besides writing files.
+struct Folders {
+  std::vector<std::string> stale, made;
+  bool refused = false;
+
+  // Takes back what was made.
+  void unmake() const {
+    std::error_code none;
+    for (auto folder = made.rbegin(); folder != made.rend(); ++folder) std::filesystem::remove(*folder, none);
+  }
+  void removeStale() const {
+    std::error_code none;
+    for (const std::string &file : stale) std::filesystem::remove(file, none);
+  }
+};
+
+// The files of an export, their folders made; none where it is refused.
+OutFiles makeExport(const Options &options, const ExportFiles &files, std::string why, Folders &folders) {
+  std::vector<std::string> stale;
+  if (why.empty() && !canExport(options.exportFolder, files, stale, why)) folders.refused = true;
+  if (why.empty() && !makeFolders(options.exportFolder, files, folders.made)) why = options.exportFolder + ": " + std::strerror(errno);
+  folders.refused = !why.empty();
+  if (folders.refused) return std::cerr << "tlgen: --export: " << why << '\n', OutFiles{};
+  OutFiles out;
+  for (const auto &file : files) out.push_back({options.exportFolder + "/" + file.first, file.second});
+  for (const std::string &file : stale) folders.stale.push_back(options.exportFolder + "/" + file);
+  return out;
+}
+
 // The files of one model; none on an error.
-OutFiles makeModel(const Options &options, const Parsed &parsed, const std::string &modelsFile, Diagnostics &diags,
-                   std::string &report) {
+OutFiles makeModel(const Options &options, const Parsed &parsed, const std::string &modelsFile, Diagnostics &diags, std::string &report,
+                   Folders &folders) {
   Source source(parsed.units, diags);
   Match match = matchModel(source, options, diags);
   auto functions = checkSubset(source, match);
@@ -72,8 +103,17 @@ OutFiles makeModel(const Options &options, const Parsed &parsed, const std::stri
   std::string header = options.header();
   Diagnostics motionDiags;
   MotionText motion = emitAdjoint(program, model, options.motion, motionDiags);
-  EmittedModel text = emitCalls(program, model, activity, motion, diags, header.substr(header.find_last_of('/') + 1));
+  const bool exports = !options.exportFolder.empty();
+  const Content content = exports ? exportContent(model, motion, options.motion.needs) : Content::Whole;
+  EmittedModel text = emitCalls(program, model, activity, motion, diags, header.substr(header.find_last_of('/') + 1), content);
   if (options.report) report += motion.report;
+  if (exports) {
+    diags.add(motionDiags);
+    if (diags.hasErrors()) return {};
+    std::string why;
+    const ExportFiles files = exportFiles(program, model, motion, text, content, options.exportReal, why);
+    return makeExport(options, files, why, folders);
+  }
   OutFiles out = {{options.output, text.source}, {header, text.header}};
   std::set<std::string> files = parsed.files;
   if (!modelsFile.empty()) files.insert(modelsFile);
@@ -94,12 +134,13 @@ int generate(const Run &run) {
   OutFiles out;
   std::set<std::string> read;
   std::string report;
+  Folders folders;
   for (const Options &options : run.models) {
     Diagnostics diags;
     Parsed parsed = frontend.parse(options, diags);
     read.insert(parsed.files.begin(), parsed.files.end());
     if (!parsed.units.empty())
-      for (auto &file : makeModel(options, parsed, run.modelsFile, diags, report)) out.push_back(std::move(file));
+      for (auto &file : makeModel(options, parsed, run.modelsFile, diags, report, folders)) out.push_back(std::move(file));
     all.add(diags);
   }
   if (overwrites(run, read)) return 2;
@@ -110,7 +151,10 @@ int generate(const Run &run) {
   const bool csv = std::any_of(run.models.begin(), run.models.end(), [](const Options &o) { return o.motion.reportAsCsv; });
   if (!all.hasErrors() && !report.empty()) std::cout << (csv ? reportHeader() : "") << report;
   if (!run.sarif.empty()) out.push_back({run.sarif, sarifText(all)});
-  return writeFiles(out) && !all.hasErrors() ? 0 : 1;
+  if (folders.refused) out.clear();
+  const bool written = writeFiles(out) && !all.hasErrors() && !folders.refused;
+  written ? folders.removeStale() : folders.unmake();
+  return written ? 0 : 1;
 }
 
 } // namespace tlgen

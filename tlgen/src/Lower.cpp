@@ -18,17 +18,6 @@ namespace {
 
 namespace c = clang;
 
-// The shortest decimal that reads back as the same double, always with a point or an exponent.
-std::string printDouble(double x) {
-  char text[40];
-  for (int digits = 1; digits <= 17; ++digits) {
-    std::snprintf(text, sizeof text, "%.*g", digits, x);
-    if (std::strtod(text, nullptr) == x) break;
-  }
-  std::string s = text;
-  return s.find_first_of(".en") == std::string::npos ? s + ".0" : s;
-}
-
 // What makes an integer literal one of its type.
 std::string suffix(c::QualType type) {
   std::string s = type->isSignedIntegerType() ? "" : "u";
@@ -178,7 +167,7 @@ const Record *Lowering::record(const c::RecordDecl *decl) {
   r->loc = loc(decl->getLocation());
   if (decl->isCompleteDefinition())
     for (const c::FieldDecl *field : decl->fields())
-      r->fields.push_back({nameOf(field), refusedMember(field) ? room(field) : type(field->getType())});
+      r->fields.push_back({nameOf(field), refusedMember(field) ? room(field) : type(field->getType()), loc(field->getLocation())});
   for (int n = 2; const Record *other = sameName(*r); ++n) {
     if (sameFields(*r, *other)) return records_[decl] = other; // of another translation unit
     std::string end = "_" + std::to_string(n);                 // of another scope
@@ -576,7 +565,7 @@ Expr *Lowering::expr(const c::Expr *e) {
   if (const auto *lit = llvm::dyn_cast<c::FloatingLiteral>(e)) {
     bool isFloat = e->getType()->isSpecificBuiltinType(c::BuiltinType::Float);
     double value = isFloat ? static_cast<double>(lit->getValue().convertToFloat()) : lit->getValue().convertToDouble();
-    return node(Expr::Literal, e, {}, printDouble(value) + (isFloat ? "f" : ""));
+    return node(Expr::Literal, e, {}, decimal(value) + (isFloat ? "f" : ""));
   }
   if (const auto *size = llvm::dyn_cast<c::UnaryExprOrTypeTraitExpr>(e)) return sizeOf(size, size->getTypeOfArgument());
   if (const auto *ref = llvm::dyn_cast<c::DeclRefExpr>(e)) {

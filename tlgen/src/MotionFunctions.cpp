@@ -113,7 +113,7 @@ public:
       return each(count, columns, to + "[i*" + str(columns) + " + j] = " + sign + from + "[i*" + str(stride) + " + j];");
     std::string half = str(columns / 2);
     return "  if (!tl_rows_unpair(" + str(count) + ", " + to + ", " + to + " + " + half + ", " + str(columns) + ", " + from + ", " +
-           str(stride) + ", " + sign + "1.0, " + half + ")) return EOM_MOTION_NOT_FINITE;\n";
+           str(stride) + ", " + sign + "TL_C(1.0), " + half + ")) return EOM_MOTION_NOT_FINITE;\n";
   }
 
   // The test that a matrix is finite, where unpack has none.
@@ -162,6 +162,7 @@ public:
     }
     return own + s;
   }
+  long workspace() const { return workspace_; }
   void count(MotionFunction &f) const {
     f.operations = schedule_.operations();
     f.workspace = workspace_;
@@ -243,10 +244,11 @@ public:
 // Names of arguments and of the variables that are printed here.
 std::set<std::string> MotionFunctions::takenNames() const {
   std::set<std::string> names = {
-      "params", "q",    "qd",       "t",        "qdd",    "lambda",     "k",        "c",      "w",     "work",    "out",   "r",
-      "M",      "Q",    "A",        "b",        "dinv",   "pivot",      "energy",   "r_y",    "g_y",   "r_w",     "g_w",   "r_p",
-      "g_p",    "phi",  "psi",      "phi_dot",  "qdd_y",  "lagrangian", "dqdd",     "solved", "B",     "sum",     "i",     "j",
-      "l",      "auto", "register", "restrict", "inline", "signed",     "momentum", "Qc",     "sound", "inverse", "growth"};
+      "params", "q",     "qd",      "t",     "qdd",  "lambda",   "k",        "c",          "w",      "work",     "out",
+      "r",      "M",     "Q",       "A",     "b",    "dinv",     "pivot",    "energy",     "r_y",    "g_y",      "r_w",
+      "g_w",    "r_p",   "g_p",     "phi",   "psi",  "phi_dot",  "qdd_y",    "lagrangian", "dqdd",   "solved",   "B",
+      "sum",    "i",     "j",       "l",     "auto", "register", "restrict", "inline",     "signed", "momentum", "momentum_rate",
+      "Qc",     "sound", "inverse", "growth"};
   names.insert(TRACE_PARAMS);
   for (const Variable *v : program_.globals) names.insert(v->name);
   for (const Function *f : program_.functions) names.insert(f->name);
@@ -258,8 +260,10 @@ MotionFunction MotionFunctions::print(const std::string &name, MotionValues &val
   static const std::string given = "const tl_real *restrict qdd, ", fixed = given + "const tl_real *restrict lambda, ";
   static const std::string directions = "int k, const tl_real *restrict w, ";
   if (name == "energy") {
-    Body body(*this, values, {{"energy", {"momentum", "lagrangian"}}});
-    return define(name, "tl_real *restrict momentum, tl_real *restrict lagrangian, tl_real *restrict energy", body, energy(body));
+    Body body(*this, values, {{"energy", {"momentum", "momentum_rate", "lagrangian"}}});
+    return define(name,
+                  "tl_real *restrict momentum, tl_real *restrict momentum_rate, tl_real *restrict lagrangian, tl_real *restrict energy",
+                  body, energy(body));
   }
   if (name == "simulate") {
     Body body(*this, values, {{"simulate", {"M", "Q", "phi", "phi_dot", "b_phi", "A_phi", "psi", "b_psi", "A_psi"}}});
@@ -286,6 +290,10 @@ MotionFunction MotionFunctions::print(const std::string &name, MotionValues &val
     Body body(*this, values, {{"constrained", {"qdd", "lambda", "Qc", "inverse", "growth"}}});
     return define(name, "tl_real *restrict solved, tl_real *restrict lambda, tl_real *restrict Qc", body, constrained(body));
   }
+  if (name == "taylor") {
+    Body body(*this, values, {{"taylor", {"fixed"}}});
+    return taylor(body);
+  }
   const bool lanes = isOfLanes(name);
   const std::string solved = lanes ? name.substr(0, name.size() - lanesSuffix.size()) : name;
   if (solved == "acceleration") {
@@ -300,8 +308,12 @@ MotionFunction MotionFunctions::print(const std::string &name, MotionValues &val
   return define(name, directions + "tl_real *restrict solved, tl_real *restrict dqdd", body, directional(body));
 }
 
-MotionFunction MotionFunctions::define(const std::string &name, const std::string &args, Body &body, const std::string &statements) {
-  std::string text = body.declarations() + statements, start, code = withoutComments(text);
+MotionFunction MotionFunctions::define(const std::string &name, const std::string &args, Body &body, const std::string &statements,
+                                       long x) {
+  std::string text = body.declarations();
+  if (x) text += "  tl_real *const restrict x = work + " + str(body.workspace()) + ";\n";
+  text += statements;
+  std::string start, code = withoutComments(text);
   std::string signature = "q, qd, t, " + args + ", work";
   for (const char *arg : {"q", "qd", "t", "qdd", "lambda", "w", "r_p", "g_y", "g_w", "g_p", "work"})
     if (usesWord(signature, arg) && !usesWord(code, arg)) start += (start.empty() ? "  (void)" : ", (void)") + std::string(arg);
@@ -317,6 +329,7 @@ MotionFunction MotionFunctions::define(const std::string &name, const std::strin
   f.definition = head + "\n{\n" + start + text + "  return 0;\n}\n\n";
   f.prototype = without(head, "restrict ") + ";\n";
   body.count(f);
+  f.workspace += padded(x);
   return f;
 }
 
@@ -324,10 +337,12 @@ MotionFunction MotionFunctions::define(const std::string &name, const std::strin
 std::string MotionFunctions::energy(Body &body) {
   long n = body.values.n;
   body.vector(0, "momentum", "momentum[%]");
+  body.vector(0, "momentum_rate", "momentum_rate[%]");
   body.vector(0, "lagrangian", "lagrangian[%]");
   std::string s = body.printChecked(0);
   return s + "  tl_real sum = -lagrangian[0];\n" + each(n, "sum += momentum[i] * qd[i];") + "  energy[0] = sum;\n" +
-         finite(n, "momentum") + "  if (!TL_ISFINITE(lagrangian[0]) || !TL_ISFINITE(sum)) return EOM_MOTION_NOT_FINITE;\n";
+         finite(n, "momentum") + finite(n, "momentum_rate") +
+         "  if (!TL_ISFINITE(lagrangian[0]) || !TL_ISFINITE(sum)) return EOM_MOTION_NOT_FINITE;\n";
 }
 
 std::string MotionFunctions::simulate(Body &body) {
@@ -410,6 +425,31 @@ std::string MotionFunctions::constrained(Body &body) {
   }
   return body.printChecked(0) + checks + "  if (!sound) return EOM_MOTION_PIVOT;\n" + finite(n, "solved") + finite(m, "lambda") +
          finite(n, "Qc");
+}
+
+// Order by order; orders with as many vectors share a copy of the code, which knows their number.
+MotionFunction MotionFunctions::taylor(Body &body) {
+  const Recurrences &recurrences = body.values.recurrences();
+  const std::string stem = model_.name + "_taylor", first = stem + "_first", later = stem + "_later";
+  const std::string n = str(body.values.n);
+  const bool fixed = !recurrences.fixed().empty();
+  if (fixed) body.vector(0, "fixed", body.memory("fixed", long(recurrences.fixed().size())) + "[%]");
+  std::string s = body.printChecked(0);
+  const std::string arguments = std::string("x, ") + (fixed ? "fixed" : "NULL");
+  s += "  " + first + "(" + arguments + ", q, qd, t);\n";
+  for (int k : {1, 2}) s += "  if (order > " + str(k + 1) + ") " + later + "(" + arguments + ", " + str(k) + ", 0);\n";
+  s += "  int k = 3;\n";
+  for (int vectors = 1; vectors <= 6; ++vectors)
+    s += "  for (; k + 2 <= order && k < " + str(4 * vectors + 4) + "; ++k) " + later + "(" + arguments + ", k, " + str(vectors) +
+         ");\n";
+  s += "  for (int i = 0; i < " + n + "; ++i)\n    for (k = 0; k <= order; ++k) coef[i*(order + 1) + k] = (" +
+       recurrences.coordinate("i") + ")[k];\n" + finite(n + "*(order + 1)", "coef");
+  MotionFunction f = define("taylor", "int order, tl_real *restrict coef", body, s, recurrences.workspace());
+  const std::string shared = "tl_real *restrict x, const tl_real *restrict fixed, ";
+  f.definition = "TL_INLINE void " + first + "(" + shared + "const tl_real *restrict q, const tl_real *restrict qd, tl_real t)\n{\n" +
+                 "  (void)fixed, (void)t;\n" + recurrences.first() + "}\n\nTL_INLINE void " + later + "(" + shared +
+                 "int k, int vectors)\n{\n  (void)fixed, (void)vectors;\n" + recurrences.later() + "}\n\n" + f.definition;
+  return f;
 }
 
 std::string MotionFunctions::acceleration(Body &body) { return solve(body) + finite(body.values.n, "qdd", body.lanes); }

@@ -30,11 +30,13 @@ private:
   std::string derivatives(Body &body, const std::string &suffix, long columns);
   std::string tangent(Body &body);
   std::string constrained(Body &body);
+  MotionFunction taylor(Body &body);
   std::string acceleration(Body &body);
   std::string jacobian(Body &body);
   std::string directional(Body &body);
   std::string solve(Body &body);
-  MotionFunction define(const std::string &name, const std::string &args, Body &body, const std::string &statements);
+  MotionFunction define(const std::string &name, const std::string &args, Body &body, const std::string &statements,
+                        long x = 0); // numbers of memory of that name
   std::set<std::string> takenNames() const;
 
   const Program &program_;

@@ -69,6 +69,7 @@ Results &MotionValues::results(const std::string &need) {
   auto known = results_.find(need);
   if (known != results_.end()) return known->second;
   if (need == "constrained") return results_.emplace(need, eliminated(graph, results("simulate"), n, m1, m2)).first->second;
+  if (need == "taylor") return results_.emplace(need, taylor()).first->second;
   Results made = need == "energy"      ? needs_->energy()
                  : need == "simulate"  ? needs_->simulate()
                  : need == "residual"  ? needs_->residual()
@@ -85,6 +86,18 @@ Results &MotionValues::results(const std::string &need) {
       throw Unsuitable{"which coordinate is read here depends on a loop or a table", read->loc};
   }
   return results_.emplace(need, std::move(made)).first->second;
+}
+
+Results MotionValues::taylor() {
+  if (rows) throw Unsuitable{"recurrences are straight-line code", {}};
+  std::vector<Node *> accelerations(size_t(n), graph.number(0));
+  for (const Write &write : results("constrained").arrays.at("qdd")->writes) accelerations[size_t(write.index->offset)] = write.value;
+  recurrences_ = std::make_unique<Recurrences>(graph, accelerations);
+  Results made;
+  made.grouped = true;
+  Array *fixed = made.arrays["fixed"] = graph.array("fixed", long(recurrences_->fixed().size()));
+  for (Node *value : recurrences_->fixed()) graph.write(fixed, nullptr, graph.integer(long(fixed->writes.size())), value);
+  return made;
 }
 
 const Type *numberMember(const Model &model, const std::string &member) {

@@ -4,6 +4,7 @@
 
 #include "EmitAdjoint.h"
 #include "Needs.h"
+#include "Recurrences.h"
 #include "Trace.h"
 
 #include <optional>
@@ -21,8 +22,11 @@ public:
   // Of functions that are there as values.
   MotionValues(std::function<Equations(Graph &)> make, bool rows, const Analyses &analyses = {});
 
-  // Of a need, or constrained: the solution of what simulate makes. Computed once. Throws Unsuitable.
+  // Of a need, or constrained: the solution of what simulate makes, or taylor: what recurrences() take of the parameters. Computed
+  // once. Throws Unsuitable.
   Results &results(const std::string &need);
+  // Of the accelerations; after results("taylor").
+  const Recurrences &recurrences() const { return *recurrences_; }
   // Proved: no equation depends on t. The mass matrix is the same at all states (of models with simulate).
   bool autonomous = false;
   bool constantMass();
@@ -40,7 +44,10 @@ private:
   void setEquations(Equations equations, const std::string &name);
   void findParameters(const Model &model, const MotionOptions &options);
 
+  Results taylor();
+
   std::unique_ptr<Needs> needs_;
+  std::unique_ptr<Recurrences> recurrences_;
   std::map<std::string, Results> results_;
   std::vector<ParameterColumns> columns_;
 };

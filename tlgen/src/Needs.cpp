@@ -181,9 +181,13 @@ Results Needs::energy() {
   auto fixed = [](Node *) { return LeafJet(); };
   Jets &values = jets(results, fixed, 1, 0, true);
   std::vector<JetOutput> outputs;
-  Parts momentum;
+  Parts momentum, rate;
   collect(momentum, adjoints(), qd_, 0, 1);
+  collect(rate, adjoints(), q_, 0, 1);
+  if (equations_.force) collect(rate, equations_.force, 0, 1, 0);
+  if (equations_.dissipation) collect(rate, dissipationAdjoints(), qd_, 0, -1);
   addScalar(results, outputs, "momentum", momentum, equations_.n);
+  addScalar(results, outputs, "momentum_rate", rate, equations_.n);
   addScalar(results, outputs, "lagrangian", {{nullptr, graph_.integer(0), {equations_.lagrangian, 0, 1}}}, 1);
   values.run(outputs, equations_.assigned);
   return results;

@@ -22,8 +22,8 @@ struct Equations {
   std::vector<Node *> assigned;                 // to be computed though no result needs them
 };
 
-// The numbers of a need, by name: M Q phi phi_dot b_phi A_phi psi b_psi A_psi; r; r_y g_y; r_w g_w; r_p g_p; momentum lagrangian.
-// Holonomic and other constraints have parts of b and A of their own. A name that is not there has no elements.
+// The numbers of a need, by name: M Q phi phi_dot b_phi A_phi psi b_psi A_psi; r; r_y g_y; r_w g_w; r_p g_p; momentum momentum_rate
+// lagrangian. Holonomic and other constraints have parts of b and A of their own. A name that is not there has no elements.
 struct Results {
   std::map<std::string, Array *> arrays; // also matrices with explicit columns, row-major
   std::map<std::string, Row *> rows;     // matrices as rows in memory; columns of r_y and g_y are q_0, qd_0, q_1, qd_1, ..
@@ -46,7 +46,7 @@ public:
   // explicitColumns: tangents as one value per column; otherwise as rows in memory.
   Needs(Graph &graph, Equations equations, bool explicitColumns, const Analyses &analyses, const Identity &identity);
 
-  Results energy();    // momentum, lagrangian
+  Results energy();    // momentum, momentum_rate, lagrangian
   Results simulate();  // M (its upper triangle), Q, phi, phi_dot, b_phi, A_phi, psi, b_psi, A_psi
   Results residual();  // r
   Results linearise(); // r_y, g_y; explicit columns are q_0, q_1, .. qd_0, qd_1, ..

@@ -36,8 +36,9 @@ Model
   source: TLGEN(lagrangian), TLGEN(holonomic:3), and TLGEN(q) on a parameter, with the macro of <taylor/tlgen.h>.
 
 Motion functions (eom/motion.h): fast ones for the runtime, at sizes that are known when they are printed
-  --need NEED,..         energy, simulate, residual, linearise, tangent, parameters; all, or none. Default: energy, simulate and
-                         linearise where all sizes are known
+  --need NEED,..         energy, simulate, residual, linearise, tangent, parameters; all of these, or none. Default: energy, simulate
+                         and linearise where all sizes are known. Beside them: taylor, coefficients of the motion in time for
+                         integration by Taylor series
   --size MEMBER=N        the integer member of the parameter struct is N; may be repeated. Other sizes are served by the slower
                          functions that are always printed
   --parameter MEMBER,..  the members of the parameter struct that 'parameters' differentiates by
@@ -51,6 +52,10 @@ Motion functions (eom/motion.h): fast ones for the runtime, at sizes that are kn
 const char *const helpOfFiles = R"(
 Output
   -o FILE.c              where to write (default: SOURCE_tl.c); FILE.h is written beside it
+  --export DIR           write a folder for a processor without heap and operating system in the place of FILE.c: the model, the files
+                         of libtaylor and the runtime that it needs and no others, an example program, and a MANIFEST. DIR must be new,
+                         or hold nothing of that name but what an earlier export has written
+  --real TYPE            the numbers of an export: double (default) or float
   -MD                    also write FILE.c.d, a make rule of all files that were read
   --selftest             also write MODEL_selftest.c beside FILE.c (and MODEL_selftest_2.c .. for further sources): a program that checks
                          every derivative of the model against differences of SOURCE.c in quad precision, at points that you name. A function of --rule
@@ -150,7 +155,9 @@ bool addNeeds(Options &o, const std::string &text) {
     }
     if (need != "all" && known) o.motion.needs.insert(need);
     o.needsAll |= need == "all";
-    if (need == "all") o.motion.needs.insert(allNeeds().begin(), allNeeds().end());
+    if (need == "all")
+      for (const std::string &one : allNeeds())
+        if (one != "taylor") o.motion.needs.insert(one); // long code, of use to one method of integration
   }
   return true;
 }
@@ -228,6 +235,12 @@ bool setOnce(std::string &slot, const std::string &name, const std::string &valu
   return true;
 }
 
+bool setReal(Options &o, const std::string &type) {
+  if (type != "float" && type != "double")
+    return usageError("--real: '" + type + "' is no type of an export; these are float and double");
+  return setOnce(o.exportReal, "--real", type);
+}
+
 bool ofTheRun(const std::string &name) { return name == "--sarif" || name == "--werror" || name == "--cmake" || name == "--models"; }
 
 bool setOption(Options &o, Run *run, const std::string &name, const std::string &value) {
@@ -239,6 +252,8 @@ bool setOption(Options &o, Run *run, const std::string &name, const std::string 
   if (name == "--dof") return setOnce(o.dof, name, value);
   if (name == "--model") return setOnce(o.model, name, value);
   if (name == "-o") return setOnce(o.output, name, value);
+  if (name == "--export") return setOnce(o.exportFolder, name, value);
+  if (name == "--real") return setReal(o, value);
   if (name == "-p") return setOnce(o.compileCommands, name, value);
   if (name == "--arg") return addArg(o, value);
   if (name == "--need") return addNeeds(o, value);
@@ -272,6 +287,15 @@ bool complete(Options &o) {
   if (o.sources.empty()) return usageError("no source file given");
   if (o.model.empty()) o.model = stem(o.sources[0]);
   if (!isIdentifier(o.model)) return usageError("'" + o.model + "' cannot be a model's name in C; say --model NAME");
+  if (!o.exportFolder.empty()) {
+    if (!o.output.empty() || o.depfile || o.selftest || o.motion.lanes)
+      return usageError("--export writes a folder of its own: -o, -MD, --selftest and --lanes do not go with it");
+    if (!o.needsGiven) o.motion.needs = {"simulate", "linearise"};
+    if (o.motion.needs.count("simulate") || o.motion.needs.count("linearise")) o.motion.needs.insert("energy");
+    o.needsGiven = true;
+    o.output = o.exportFolder + "/" + o.model + "_tl.c";
+  }
+  if (o.exportFolder.empty() && !o.exportReal.empty()) return usageError("--real belongs to --export");
   if (o.output.empty()) o.output = stem(o.sources[0]) + "_tl.c";
   if (o.output.size() < 3 || o.output.substr(o.output.size() - 2) != ".c") return usageError("-o: the file name must end in .c");
   if (o.motion.needs.count("parameters") && o.motion.parameters.empty() && !o.needsAll)

@@ -31,6 +31,7 @@ struct Options {
   std::map<std::string, ArgOption> args; // by parameter name
   std::vector<std::string> compilerArgs; // after --
   MotionOptions motion;
+  std::string exportFolder, exportReal; // of --export
   bool needsGiven = false, needsAll = false;
   bool depfile = false, selftest = false, report = false;
 

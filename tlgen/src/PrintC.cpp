@@ -1,7 +1,9 @@
 // C text: declarators, expressions, initialisers.
 #include "PrintC.h"
+#include "MathFunctions.h"
 
 #include <algorithm>
+#include <cstdio>
 #include <cstdlib>
 #include <map>
 
@@ -40,6 +42,47 @@ Text unaryText(const std::string &op, const Text &a) {
   return {op + (glued ? " " : "") + s, Prefix};
 }
 
+std::string decimal(double value) {
+  char text[32];
+  for (int digits = 1; digits <= 17; ++digits) {
+    std::snprintf(text, sizeof text, "%.*g", digits, value);
+    if (std::strtod(text, nullptr) == value) break;
+  }
+  std::string s = text;
+  return s.find_first_of(".en") == std::string::npos ? s + ".0" : s;
+}
+
+std::string realConstant(const std::string &decimal) {
+  const bool negative = decimal[0] == '-';
+  return (negative ? "-TL_C(" : "TL_C(") + decimal.substr(negative) + ")";
+}
+
+std::string realConstant(double value) { return realConstant(decimal(value)); }
+
+Text literalText(const Expr *e) {
+  const bool real = e->type->kind == Type::Real && !isSingle(e->type) && e->text != "0";
+  return {real ? realConstant(e->text) : e->text, e->text[0] == '-' ? Prefix : Primary};
+}
+
+Text mathText(const std::string &name, const std::string &args) {
+  const MathFunction *f = findMath(name);
+  const bool ofDoubles = f && f->name == name && f->kind != MathFunction::Test;
+  return {(ofDoubles ? "TL_LIBM(" + name + ")" : name) + "(" + args + ")", Postfix};
+}
+
+size_t readLength(const std::string &text) {
+  size_t length = text.size();
+  for (const std::string mark : {"TL_C(", "TL_LIBM("})
+    for (size_t at = 0; (at = text.find(mark, at)) != std::string::npos; at += mark.size()) length -= mark.size() + 1;
+  return length;
+}
+
+Text externalText(const std::string &name, const std::vector<Text> &args) {
+  std::string list;
+  for (const Text &arg : args) list += (list.empty() ? "(double)" : ", (double)") + operand(arg, Prefix);
+  return {"(tl_real)" + name + "(" + list + ")", Prefix};
+}
+
 std::string declaration(const Type *type, const std::string &name) {
   switch (type->kind) {
   case Type::Array:
@@ -49,7 +92,11 @@ std::string declaration(const Type *type, const std::string &name) {
     return declaration(type->element, type->element->kind == Type::Array ? "(" + inner + ")" : inner);
   }
   default: {
-    std::string base = type->kind == Type::Void ? "void" : type->kind == Type::Struct ? type->record->spelling : type->name;
+    const bool real = type->kind == Type::Real && !isSingle(type);
+    std::string base = type->kind == Type::Void     ? "void"
+                       : type->kind == Type::Struct ? type->record->spelling
+                       : real                       ? "tl_real"
+                                                    : type->name;
     return std::string(type->isConst ? "const " : "") + base + (name.empty() || name[0] == '[' ? "" : " ") + name;
   }
   }
@@ -84,7 +131,7 @@ std::string initializer(const Expr *e) {
     return s + (e->args.empty() ? "0}" : "}");
   }
   case Expr::Literal:
-    return e->text;
+    return literalText(e).s;
   case Expr::Unary:
     return unaryText(e->text, {initializer(e->args[0]), e->args[0]->kind == Expr::Literal ? Primary : Sequence}).s;
   case Expr::Binary:
@@ -95,9 +142,9 @@ std::string initializer(const Expr *e) {
   case Expr::Conditional:
     return "(" + initializer(e->args[0]) + " ? " + initializer(e->args[1]) + " : " + initializer(e->args[2]) + ")";
   case Expr::MathCall: {
-    std::string s = e->text + "(";
-    for (size_t i = 0; i < e->args.size(); ++i) s += (i ? ", " : "") + initializer(e->args[i]);
-    return s + ")";
+    std::string args;
+    for (size_t i = 0; i < e->args.size(); ++i) args += (i ? ", " : "") + initializer(e->args[i]);
+    return mathText(e->text, args).s;
   }
   case Expr::Ref:
     return e->var->name;

@@ -39,7 +39,23 @@ Text binaryText(const std::string &op, const Text &a, const Text &b);
 Text unaryText(const std::string &op, const Text &a);
 int precedenceOf(const std::string &binaryOperator);
 
-// The declaration of name with that type, without a semicolon: "const double *x", "int a[3]".
+// The shortest decimal that reads back as the same number: "0.5", "2.0", "1e-300".
+std::string decimal(double value);
+
+// Generated code computes in tl_real wherever the source says double, so that one text serves every number type that real.h offers: its
+// constants are "TL_C(0.5)", and "-TL_C(2.0)" where they are negative,
+std::string realConstant(const std::string &decimal);
+std::string realConstant(double value);
+// and so are the source's own literals of type double; others are as they were.
+Text literalText(const Expr *e);
+// A call of math.h, "TL_LIBM(sin)(x)"; of what is no function of doubles there, "isnan(x)", "fabsf(x)".
+Text mathText(const std::string &name, const std::string &args);
+// How long a text is to a reader, to whom "TL_C(0.5)" is a number and "TL_LIBM(sin)" a name.
+size_t readLength(const std::string &text);
+// A call of an external function, which keeps its doubles: "(tl_real)spring((double)x)".
+Text externalText(const std::string &name, const std::vector<Text> &args);
+
+// The declaration of name with that type, without a semicolon: "const tl_real *x", "int a[3]".
 std::string declaration(const Type *type, const std::string &name);
 
 // A struct's definition, members on lines of their own.

@@ -79,7 +79,7 @@ GraphPrinter::Shown GraphPrinter::show(const Node *n) {
 // As an operand of real arithmetic: integers are converted first.
 Text GraphPrinter::real(const Node *n) {
   Text t = show(n).text;
-  if (n->isConstant()) return {numberText(double(n->offset)), Primary};
+  if (n->isConstant()) return {realConstant(double(n->offset)), Primary};
   return isInteger(n) ? Text{"(tl_real)" + operand(t, Prefix), Prefix} : t;
 }
 
@@ -193,25 +193,32 @@ GraphPrinter::Shown GraphPrinter::product(const Node *n) {
   Shown x = combine("*", a, b);
   bool bare =
       a->isNumber() && show(b).text.precedence == Product && show(b).text.s[0] != '-' && show(b).text.s.find('/') == std::string::npos;
-  if (bare) x.text = {numberText(a->value) + " * " + show(b).text.s, Product};
+  if (bare) x.text = {realConstant(a->value) + " * " + show(b).text.s, Product};
   return x;
 }
 
-// A function of math.h, of taylor/power.h or of the user.
+// A call of a function of math.h or of taylor/power.h.
+Text GraphPrinter::functionText(const std::string &name, const std::string &args, bool lanes) {
+  if (!lanes) return mathText(name, args);
+  const std::string stem = name == "ldexp" ? "scalbn" : name.rfind("tl_", 0) == 0 ? name.substr(3) : name;
+  return {"tl_lanes_" + stem + "(" + args + ")", Postfix};
+}
+
+// The same, or a function of the user.
 GraphPrinter::Shown GraphPrinter::call(const Node *n) {
   const bool lanes = inLanes(n);
   Shown s;
+  std::string list;
+  std::vector<Text> args;
   for (size_t i = 0; i < n->args.size(); ++i) {
     const Node *arg = n->args[i];
     Shown x = show(arg);
-    std::string text = lanes ? filled(arg).s : real(arg).s;
-    if (takesInt(n->text, i)) text = (arg->isConstant() ? "" : "(int)") + operand(x.text, Prefix);
-    s.text.s += (s.text.s.empty() ? "" : ", ") + text;
+    args.push_back(lanes ? filled(arg) : real(arg));
+    if (takesInt(n->text, i)) args.back() = {(arg->isConstant() ? "" : "(int)") + operand(x.text, Prefix), Prefix};
+    list += (list.empty() ? "" : ", ") + args.back().s;
     s.carried.insert(x.carried.begin(), x.carried.end());
   }
-  std::string name = n->text;
-  if (lanes) name = "tl_lanes_" + (name == "ldexp" ? "scalbn" : name.rfind("tl_", 0) == 0 ? name.substr(3) : name);
-  s.text = {name + "(" + s.text.s + ")", Postfix};
+  s.text = n->op == Node::Taylor ? externalText(n->text, args) : functionText(n->text, list, lanes);
   return s;
 }
 
@@ -243,7 +250,7 @@ GraphPrinter::Shown GraphPrinter::compute(const Node *n) {
   inLanes(n);
   switch (n->op) {
   case Node::Number:
-    return {{numberText(n->value), n->value < 0 ? Prefix : Primary}, {}};
+    return {{realConstant(n->value), n->value < 0 ? Prefix : Primary}, {}};
   case Node::Affine:
     return {affine(n), {}};
   case Node::Leaf:
@@ -261,7 +268,7 @@ GraphPrinter::Shown GraphPrinter::compute(const Node *n) {
     return product(n);
   case Node::Recip: {
     Shown x = show(n->args[0]);
-    x.text = binaryText("/", {"1.0", Primary}, real(n->args[0]));
+    x.text = binaryText("/", {realConstant(1), Primary}, real(n->args[0]));
     return x;
   }
   case Node::Math:
@@ -300,7 +307,7 @@ Text GraphPrinter::derivativeOf(const Node *n) {
   Text coefficient{externals_.at({n->text, n->args[0]}) + "[" + std::to_string(n->which) + "]", Postfix};
   double factorial = 1;
   for (int k = 2; k <= n->which; ++k) factorial *= k;
-  return factorial == 1 ? coefficient : binaryText("*", {numberText(factorial), Primary}, coefficient);
+  return factorial == 1 ? coefficient : binaryText("*", {realConstant(factorial), Primary}, coefficient);
 }
 
 } // namespace tlgen

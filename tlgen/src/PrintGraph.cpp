@@ -3,7 +3,6 @@
 #include "Trace.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <cstdlib>
 
 namespace tlgen {
@@ -31,16 +30,6 @@ bool isPlain(const Node *n) {
 }
 
 } // namespace
-
-std::string numberText(double value) {
-  char text[32];
-  for (int digits = 1; digits <= 17; ++digits) {
-    std::snprintf(text, sizeof text, "%.*g", digits, value);
-    if (std::strtod(text, nullptr) == value) break;
-  }
-  std::string s = text;
-  return s.find_first_of(".en") == std::string::npos ? s + ".0" : s;
-}
 
 size_t Sites::number(const Node *node) {
   std::string function = node->op == Node::Recip ? "div" : node->op == Node::Taylor ? "compose" : node->text;
@@ -146,7 +135,7 @@ bool GraphPrinter::mustBeNamed(const Node *n, const Shown &shown) const {
   if (isPlain(n)) return false;
   bool atomic = shown.text.s.find_first_of(" (") == std::string::npos;
   if (schedule_.place(n) || (n->op == Node::Mul && n->args[0]->is(-1) && atomic)) return false;
-  return !schedule_.isUsedOnce(n) || shown.text.s.size() > longestExpression;
+  return !schedule_.isUsedOnce(n) || readLength(shown.text.s) > longestExpression;
 }
 
 // Keeps the text of a value that is used once for its user; gives others a name.
@@ -291,7 +280,7 @@ std::string GraphPrinter::batch(const Batch &b, int indent) {
   std::string values = fresh(b.function + "s");
   results_[&b] = {values, ""};
   return s + start + number() + " " + values + size + ";\n" + start + "for (int i = 0; i < " + std::to_string(count) + "; ++i) " +
-         values + "[i] = " + (lanes_ ? "tl_lanes_" : "") + b.function + "(" + (from[0] == '&' ? "(" + from + ")" : from) + "[i]);\n";
+         values + "[i] = " + functionText(b.function, (from[0] == '&' ? "(" + from + ")" : from) + "[i]", lanes_).s + ";\n";
 }
 
 std::string GraphPrinter::check(const Check &c, int indent) {
@@ -311,7 +300,7 @@ std::string GraphPrinter::clear(const Array *a, int indent) {
   };
   long columns = matrix ? known->second.columns : 1;
   return blanks(indent) + loop("i", a->length / columns) + (matrix ? loop("j", columns) : "") +
-         fill(lvalue, {{"i", Primary}, {"j", Primary}}) + (lanes_ ? " = tl_lanes_of(0.0);\n" : " = 0.0;\n");
+         fill(lvalue, {{"i", Primary}, {"j", Primary}}) + (lanes_ ? " = TL_LANES_ZERO;\n" : " = TL_C(0.0);\n");
 }
 
 // Taylor coefficients of an external function of one argument, by the user's rule, as far as any of its derivatives is needed.

@@ -72,6 +72,7 @@ private:
   Shown sum(const Node *n);
   Shown product(const Node *n);
   Shown call(const Node *n);
+  static Text functionText(const std::string &name, const std::string &args, bool lanes);
   Shown both(const std::string &op, const Node *a, const Node *b);
   Shown choice(const Node *n);
   Shown combine(const std::string &op, const Node *a, const Node *b, bool integers = false);
@@ -119,9 +120,6 @@ private:
   long workspace_ = 0;
   int temporaries_ = 0, carried_ = 0; // numbers of names
 };
-
-// Text of a number that reads back as the same.
-std::string numberText(double value);
 
 } // namespace tlgen
 

@@ -56,7 +56,7 @@ std::string RowPrinter::declarations(long offset) const {
   }
   for (const Row *row : rows_) {
     const Place &p = places_.at(row);
-    if (row->summed) s += "  for (int i = 0; i < " + std::to_string(row->count * p.stride) + "; ++i) " + p.name + "[i] = 0.0;\n";
+    if (row->summed) s += "  for (int i = 0; i < " + std::to_string(row->count * p.stride) + "; ++i) " + p.name + "[i] = TL_C(0.0);\n";
   }
   return s;
 }
@@ -90,8 +90,8 @@ std::string RowPrinter::term(const Direction *d, const Node *value, const Node *
     number = place(d->row).name + "_old";
   else
     number = at(d->row, d->index) + "[c]";
-  if (d->bound && d->bound == below) number = "(c < " + index(d->bound) + " ? " + number + " : 0.0)";
-  if (d->from && !beyond) number = "(c < " + index(d->from) + " ? 0.0 : " + number + ")";
+  if (d->bound && d->bound == below) number = "(c < " + index(d->bound) + " ? " + number + " : TL_C(0.0))";
+  if (d->from && !beyond) number = "(c < " + index(d->from) + " ? TL_C(0.0) : " + number + ")";
   if (value->is(1)) return " + " + number;
   if (value->is(-1)) return " - " + number;
   return " + " + factor(value) + " * " + number;
@@ -103,7 +103,7 @@ std::string RowPrinter::sum(const RowUpdate &update, const Node *below, bool bey
   for (auto &[direction, value] : update.sum)
     if (direction->row && !(beyond && direction->bound))
       s += term(direction, value, direction->bound ? direction->bound : below, beyond);
-  if (s.empty()) return "0.0";
+  if (s.empty()) return "TL_C(0.0)";
   return s[1] == '+' ? s.substr(3) : "-" + s.substr(3);
 }
 

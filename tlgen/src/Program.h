@@ -37,6 +37,7 @@ struct Type {
 struct Field {
   std::string name;
   const Type *type;
+  Loc loc;
 };
 
 struct Record {

@@ -51,9 +51,9 @@
 #define TL_INDEPENDENT
 #endif
 
-/* Before the type of a local array of numbers: starts at a cache line. */
+/* Before the type of a local array of numbers: starts at a multiple of TL_ALIGNMENT bytes. */
 #if defined(__GNUC__) || defined(__clang__)
-#define TL_ALIGNED __attribute__((aligned(64)))
+#define TL_ALIGNED __attribute__((aligned(TL_ALIGNMENT)))
 #else
 #define TL_ALIGNED
 #endif

@@ -2,8 +2,10 @@
 #ifndef TAYLOR_REAL_H
 #define TAYLOR_REAL_H
 
+#include "taylor/config.h"
+
 #include <float.h>
-#include <math.h>
+#include TL_MATH_HEADER
 
 /* Compile everything with -DTL_REAL=TL_FLOAT for single precision, TL_LONG_DOUBLE for C's widest, or TL_FLOAT128 for the 113 bits of
  * gcc's __float128, a reference rather than a tool: it needs libquadmath. No other file of the project names a C floating type. */
@@ -11,10 +13,6 @@
 #define TL_DOUBLE 2
 #define TL_LONG_DOUBLE 3
 #define TL_FLOAT128 4
-#ifndef TL_REAL
-#define TL_REAL TL_DOUBLE
-#endif
-
 /* With -DTL_REAL_LANES=2, 4 or 8 besides, tl_real is that many numbers side by side: see real_lanes.h.
  *
  * TL_C(x): the number x, written as a constant of type double. TL_LIBM(sin)(x) calls the C library's function for tl_real. */
@@ -22,23 +20,31 @@
 #define TL_REAL_FLOAT
 typedef float tl_number;
 #define TL_NUMBER(x) x##f
+#ifndef TL_LIBM
 #define TL_LIBM(name) name##f
+#endif
 #define TL_LIMIT(name) FLT_##name
 #elif TL_REAL == TL_DOUBLE
 typedef double tl_number;
 #define TL_NUMBER(x) x
+#ifndef TL_LIBM
 #define TL_LIBM(name) name
+#endif
 #define TL_LIMIT(name) DBL_##name
 #elif TL_REAL == TL_LONG_DOUBLE
 typedef long double tl_number;
 #define TL_NUMBER(x) x##L
+#ifndef TL_LIBM
 #define TL_LIBM(name) name##l
+#endif
 #define TL_LIMIT(name) LDBL_##name
 #elif TL_REAL == TL_FLOAT128
 #include <quadmath.h>
 typedef __float128 tl_number;
 #define TL_NUMBER(x) x##Q
+#ifndef TL_LIBM
 #define TL_LIBM(name) name##q
+#endif
 #define TL_LIMIT(name) FLT128_##name
 #else
 #error "TL_REAL is none of TL_FLOAT, TL_DOUBLE, TL_LONG_DOUBLE and TL_FLOAT128"

@@ -20,14 +20,13 @@
 #ifndef TAYLOR_SHAPE_H
 #define TAYLOR_SHAPE_H
 
+#include "taylor/config.h"
+
 #include <stddef.h>
 
 #ifdef __cplusplus
 extern "C" {
 #endif
-
-#define TL_MAX_ORDER 16 /* largest order in t */
-#define TL_MAX_CURVE 64 /* largest power of s */
 
 /* What a caller asks for. */
 typedef struct tl_spec {

@@ -9,7 +9,7 @@
 extern "C" {
 #endif
 
-/* Fills momentum, lagrangian and energy of *sys at (q, qd, t): E = dL/dqd . qd - L. q, qd: n. DOMAIN, NOT_FINITE,
+/* Fills momentum, momentum_rate, lagrangian and energy of *sys at (q, qd, t): E = dL/dqd . qd - L. q, qd: n. DOMAIN, NOT_FINITE,
  * SIZES_CHANGED. */
 eom_status eom_energy(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t);
 

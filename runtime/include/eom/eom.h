@@ -12,8 +12,11 @@
 #include "eom/minimal.h"
 #include "eom/modes.h"
 #include "eom/project.h"
+#include "eom/sensitivity.h"
 #include "eom/solve.h"
 #include "eom/system.h"
 #include "eom/tangent.h"
+#include "eom/taylor.h"
+#include "eom/variational.h"
 
 #endif

@@ -25,8 +25,10 @@ typedef int eom_correct_fn(void *user, tl_real t, tl_real *y);
 typedef struct eom_step_control {
   tl_real rtol, atol;                   /* >= 0, one of them above */
   const tl_real *rtol_each, *atol_each; /* dim each, in the place of rtol, of atol; to live as long as the integrator; null: none */
-  tl_real h_min, h_max;                 /* s, bounds of |h|; 0: as far as t can tell two times apart; none */
-  long most_steps;                      /* that one eom_integrate may try; 0: no bound */
+  int tested; /* the first so many components make the error, and dim in it; the others go along with the steps that these need; 0: all
+               */
+  tl_real h_min, h_max; /* s, bounds of |h|; 0: as far as t can tell two times apart; none */
+  long most_steps;      /* that one eom_integrate may try; 0: no bound */
 } eom_step_control;
 
 typedef struct eom_integrator {
@@ -60,10 +62,13 @@ typedef struct eom_integrator {
   int slope0, interpolates;
   tl_real t_after, log_error;
   size_t stride;
-  tl_real *slope, *trial, *before;
+  tl_real *slope, *trial, *before, *carry, *kept;
+  const struct eom_scheme *scheme; /* steps of another kind than the method's table; null: none */
+  void *own;                       /* of that */
 } eom_integrator;
 
-/* Numbers (tl_real) of workspace for dim unknowns. */
+/* Numbers (tl_real) of workspace for dim unknowns: also as a constant, for a method with such numbers of stages and dense_stages. */
+#define EOM_INTEGRATOR_SIZE(stages, dense_stages, dim) (((stages) + 1 + (dense_stages) + 5) * (((dim) + 3) / 4 * 4))
 size_t eom_integrator_size(const eom_method *method, int dim);
 
 /* Starts at (t, y) with steps of h. y: dim, copied. work: eom_integrator_size numbers that live as long as *it. */
@@ -71,7 +76,8 @@ void eom_integrator_init(eom_integrator *it, const eom_method *method, eom_rhs_f
                          const tl_real *y, tl_real h, tl_real *work);
 
 /* From now on steps are chosen by their error, beginning with h if it is not zero. Its sign does not matter to eom_integrate.
- * BAD_OPTION where a tolerance or bound is negative or not a number, or both tolerances are zero. */
+ * BAD_OPTION where a tolerance or bound is negative or not a number, both tolerances are zero, or tested is not 0..dim, and for steps
+ * that can only be fixed. */
 eom_status eom_integrator_control(eom_integrator *it, const eom_step_control *control);
 
 /* To be called after the caller has changed y, or anything that f depends on: forgets what is kept from the last step. */
@@ -91,9 +97,8 @@ eom_status eom_integrator_at(const eom_integrator *it, tl_real t, tl_real *y);
 typedef int eom_observe_fn(void *observer, const eom_integrator *it);
 
 /* Steps until t_end; the last step is shortened to end there. observe may be null. Events and outputs that are attached are those of
- * eom/events.h. BAD_OPTION where a fixed h is zero, not finite or
- * leads away from t_end; TOO_MUCH_WORK after most_steps; errors of eom_integrator_step, and of eom_integrator_at
- * where there are events or outputs; EOM_STOPPED. */
+ * eom/events.h. BAD_OPTION where a fixed h is zero, not finite, leads away from t_end or is too short to change t; TOO_MUCH_WORK after
+ * most_steps; errors of eom_integrator_step, and of eom_integrator_at where there are events or outputs; EOM_STOPPED. */
 eom_status eom_integrate(eom_integrator *it, tl_real t_end, eom_observe_fn *observe, void *observer);
 
 #ifdef __cplusplus

@@ -38,7 +38,7 @@ enum {
 #undef EOM_X
 };
 
-#define EOM_MOTION_ALIGNMENT 64 /* bytes: a cache line, and any vector register */
+#define EOM_MOTION_ALIGNMENT TL_ALIGNMENT /* bytes */
 
 /* A mass matrix of order n is safely positive definite where each pivot of its LDL' factorisation, in parts of the diagonal element
  * that it began as, is above this. What is below is rounding. */
@@ -66,9 +66,9 @@ typedef struct eom_site {
   int line;
 } eom_site;
 
-/* p = dL/dqd (momentum: n), L, and E = p.qd - L (one number each), J. */
-typedef int eom_energy_fn(const void *params, const tl_real *q, const tl_real *qd, tl_real t, tl_real *momentum, tl_real *lagrangian,
-                          tl_real *energy, tl_real *work);
+/* p = dL/dqd (momentum: n), its rate but for constraint forces dL/dq + Gamma - dD/dqd (n), L, and E = p.qd - L (one number each, J). */
+typedef int eom_energy_fn(const void *params, const tl_real *q, const tl_real *qd, tl_real t, tl_real *momentum, tl_real *momentum_rate,
+                          tl_real *lagrangian, tl_real *energy, tl_real *work);
 
 /* Every part of *out. */
 typedef int eom_simulate_fn(const void *params, const tl_real *q, const tl_real *qd, tl_real t, const eom_parts *out, tl_real *work);
@@ -105,6 +105,11 @@ typedef int eom_directional_fn(const void *params, const tl_real *q, const tl_re
 typedef int eom_constrained_fn(const void *params, const tl_real *q, const tl_real *qd, tl_real t, tl_real *qdd, tl_real *lambda,
                                tl_real *Qc, tl_real *work);
 
+/* Coefficients of the motion in time from this state on, q_i(t + s) = sum_(k=0..order) coef[i (order + 1) + k] s^k: n x (order + 1),
+ * for 2 <= order <= EOM_TAYLOR_MOST. By elimination without a look at its pivots: to be called where the solved form has succeeded. */
+#define EOM_TAYLOR_MOST 27
+typedef int eom_taylor_fn(const void *params, const tl_real *q, const tl_real *qd, tl_real t, int order, tl_real *coef, tl_real *work);
+
 /* The solved forms of TL_LANES states at once: element [i] of an array holds the i-th numbers of all states, *t their times. Arrays are
  * aligned to EOM_MOTION_ALIGNMENT bytes. Parameters are the same for all. What is returned is not 0 where it would not be for one of
  * the states: then no output is usable, and the function for one state says which state it is and gives the results of the others. */
@@ -137,7 +142,8 @@ struct eom_motion {
   eom_jacobian_fn *jacobian;
   eom_directional_fn *directional;
   eom_constrained_fn *constrained; /* of models with constraints, where their equations are small or sparse enough */
-  int lanes;                       /* TL_LANES of the three that follow; 0 where tlgen was not asked for them (--lanes) */
+  eom_taylor_fn *taylor;
+  int lanes; /* TL_LANES of the three that follow; 0 where tlgen was not asked for them (--lanes) */
   eom_acceleration_lanes_fn *acceleration_lanes;
   eom_jacobian_lanes_fn *jacobian_lanes;
   eom_directional_lanes_fn *directional_lanes;

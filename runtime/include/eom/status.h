@@ -28,10 +28,14 @@ extern "C" {
   X(NO_EIGENVALUES, "the eigenvalues were not found")                                                                                  \
   X(NOT_INVERSE, "the two coordinate transformations are not inverse to each other")                                                   \
   X(RHS_FAILED, "the right-hand side reported a failure of its own")                                                                   \
+  X(NO_SERIES, "the equations are too near to singular for the series of their solution")                                              \
+  X(NO_STEP, "the equations of an implicit step were not solved; a shorter step usually helps")                                        \
   X(STEP_TOO_SMALL, "no step is short enough for the tolerances")                                                                      \
   X(NOT_IN_STEP, "the time is not in the last step")                                                                                   \
   X(TOO_MUCH_WORK, "the integration took as many steps as it was allowed")                                                             \
-  X(STOPPED, "the observer or an event asked to stop")
+  X(STOPPED, "the observer or an event asked to stop")                                                                                 \
+  X(BAD_CHECKPOINT, "the checkpoint is damaged, or of another version, or none")                                                       \
+  X(OTHER_CHECKPOINT, "the checkpoint is of another model, size or options, or of a program that computes other bits")
 
 typedef enum eom_status {
 #define EOM_X(name, text) EOM_##name,

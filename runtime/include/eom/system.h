@@ -99,9 +99,10 @@ typedef struct eom_system {
   const eom_motion *motion; /* the motion functions in use; null where calls do everything */
 
   /* energy, assemble */
-  tl_real *momentum;  /* n: p = dL/dqd */
-  tl_real lagrangian; /* L, J */
-  tl_real energy;     /* E = p.qd - L, J */
+  tl_real *momentum;      /* n: p = dL/dqd */
+  tl_real *momentum_rate; /* n: dL/dq + Gamma - dD/dqd, which is dp/dt but for the constraint forces */
+  tl_real lagrangian;     /* L, J */
+  tl_real energy;         /* E = p.qd - L, J */
 
   /* assemble: M qdd = Q + A' lambda, A qdd = b (eqs 26, 30) */
   tl_real *M;       /* n x n, symmetric to the bit */

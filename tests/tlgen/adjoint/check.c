@@ -82,15 +82,17 @@ static bool ran(const char *what, int code) {
 
 static void check_energy(const subject *s) {
   eom_system *c = s->calls;
-  double *p = numbers(c->n), lagrangian, energy;
+  double *p = numbers(c->n), *rate = numbers(c->n), lagrangian, energy;
   if (s->f->energy && eom_energy(c, s->q, s->qd, s->t) == EOM_OK &&
-      ran("energy", s->f->energy(s->params, s->q, s->qd, s->t, p, &lagrangian, &energy, s->work))) {
+      ran("energy", s->f->energy(s->params, s->q, s->qd, s->t, p, rate, &lagrangian, &energy, s->work))) {
     const double speed = largest(s->qd, c->n), size = fmax(fabs(c->lagrangian), largest(c->momentum, c->n) * speed);
     compare(&worst.energy, "momentum", p, c->momentum, 1, c->n, 0, s->rtol);
+    compare(&worst.energy, "momentum_rate", rate, c->momentum_rate, 1, c->n, s->force, s->rtol);
     compare(&worst.energy, "lagrangian", &lagrangian, &c->lagrangian, 1, 1, size, s->rtol);
     compare(&worst.energy, "energy", &energy, &c->energy, 1, 1, size, s->rtol);
   }
   free(p);
+  free(rate);
 }
 
 static void check_simulate(const subject *s) {

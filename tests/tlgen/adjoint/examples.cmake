@@ -18,6 +18,8 @@ add_example(pendulum pendulum DOF n SIZES n=5 PARAMETERS g
   PARAMS "&(struct pendulum){.n = 5, .g = 9.81, .mass = {1.0, 0.5, 2.0, 1.0, 3.0}, .length = {1.0, 1.5, 0.75, 1.0, 0.5}}")
 add_example(central_field central_field DOF 4 HOLONOMIC central_field_unit PARAMETERS m mu PARAMS "&(struct central_field){2.0, 1.7}")
 add_example(central_field_reduced central_field DOF 4 HOLONOMIC central_field_unit PARAMETERS m mu PARAMS "&(struct central_field){2.0, 1.7}")
+add_example(double_cart_pole double_cart_pole DOF 3 FORCE double_cart_pole_force PARAMETERS cart_mass push
+  PARAMS "&(struct double_cart_pole){1.0, {0.3, 0.2}, {0.8, 0.5}, 9.81, 2.0, 0.1, {0.02, 0.01}}")
 add_example(cart_pole cart_pole DOF 2 FORCE cart_pole_force PARAMETERS cart_mass pole_length hinge_drag
   PARAMS "&(cart_pole){1.0, 0.3, 0.8, 9.81, 2.0, 0.1, 0.02}")
 add_example(double_pendulum double_pendulum DOF 2 PARAMETERS gravity

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Generated code compiles without a warning with gcc and clang, unoptimised, optimised and with clang's sanitizers for undefined
-# behaviour (which stop the program), and computes the same numbers each time.
+# behaviour (which stop the program), and computes the same numbers each time. In single precision it promotes no number to double.
 #   compilers.sh FILE_tl.c INCLUDE.. [-- OBJECT OR LIBRARY..]    with objects: links a check of a model, and runs it at two points
 set -euo pipefail
 file=$1
@@ -14,6 +14,7 @@ trap 'rm -rf "$work"' EXIT
 tried=0
 for compiler in gcc clang-19; do
   command -v $compiler >/dev/null || { echo "no $compiler here"; continue; }
+  $compiler -std=c11 -DTL_REAL=TL_FLOAT -Wall -Wextra -Wdouble-promotion -Wfloat-conversion -Werror "${includes[@]}" -fsyntax-only "$file"
   levels=(-O0 -O2)
   [ $compiler = gcc ] || levels+=("-O1 -fsanitize=undefined,float-divide-by-zero,float-cast-overflow,implicit-conversion -fsanitize-trap=all")
   for level in "${levels[@]}"; do

@@ -28,7 +28,7 @@ static void bead_lagrangian_tl(tl_ctx *cx, tl_real *result, const tl_real *q, co
   tl_mul(cx, tmp2, qd, qd);
   tl_mul(cx, tmp3, qd + nc, qd + nc);
   tl_add(cx, tmp1, tmp2, tmp3);
-  tl_scale(cx, tmp0, tmp1, 0.5 * p->mass);
+  tl_scale(cx, tmp0, tmp1, TL_C(0.5) * p->mass);
   tl_scale(cx, tmp4, q + nc, p->mass * p->gravity);
   tl_sub(cx, result, tmp0, tmp4);
   tl_pop(cx, 5);
@@ -95,18 +95,23 @@ static int bead_fits(const void *params)
   return 1;
 }
 
-int bead_energy(const void *params, const tl_real *restrict q, const tl_real *restrict qd, tl_real t, tl_real *restrict momentum, tl_real *restrict lagrangian, tl_real *restrict energy, tl_real *restrict work)
+int bead_energy(const void *params, const tl_real *restrict q, const tl_real *restrict qd, tl_real t, tl_real *restrict momentum, tl_real *restrict momentum_rate, tl_real *restrict lagrangian, tl_real *restrict energy, tl_real *restrict work)
 {
   (void)t, (void)work;
   const struct bead *const p = params;
   if (!bead_fits(params)) return EOM_MOTION_SIZE;
   momentum[1] = p->mass * qd[1];
   momentum[0] = p->mass * qd[0];
-  lagrangian[0] = 0.5 * p->mass * (qd[0] * qd[0] + qd[1] * qd[1]) - p->mass * p->gravity * q[1];
+  /* bead.c:9: return 0.5 * p->mass * (qd[0] * qd[0] + qd[1] * qd[1]) - p->mass * p->gravity * q[1]; */
+  const tl_real t1 = p->mass * p->gravity;
+  momentum_rate[1] = -(t1 + qd[1] * p->drag);
+  momentum_rate[0] = -qd[0] * p->drag;
+  lagrangian[0] = TL_C(0.5) * p->mass * (qd[0] * qd[0] + qd[1] * qd[1]) - q[1] * t1;
   tl_real sum = -lagrangian[0];
   for (int i = 0; i < 2; ++i) sum += momentum[i] * qd[i];
   energy[0] = sum;
   if (!tl_finite_array(2, momentum)) return EOM_MOTION_NOT_FINITE;
+  if (!tl_finite_array(2, momentum_rate)) return EOM_MOTION_NOT_FINITE;
   if (!TL_ISFINITE(lagrangian[0]) || !TL_ISFINITE(sum)) return EOM_MOTION_NOT_FINITE;
   return 0;
 }
@@ -124,7 +129,7 @@ int bead_simulate(const void *params, const tl_real *restrict q, const tl_real *
   tl_real *const restrict A_phi = out->A;
   M[3] = p->mass;
   M[0] = p->mass;
-  M[1] = 0.0;
+  M[1] = TL_C(0.0);
   Q[1] = -(p->mass * p->gravity + qd[1] * p->drag);
   Q[0] = -qd[0] * p->drag;
   const tl_real angle = p->spin * t;
@@ -135,8 +140,8 @@ int bead_simulate(const void *params, const tl_real *restrict q, const tl_real *
   const tl_real t1 = p->spin * sine;
   const tl_real t2 = p->spin * cosine;
   phi_dot[0] = cosine * qd[1] - q[1] * t1 - (qd[0] * sine + q[0] * t2);
-  const tl_real t3 = 0.5 * p->spin;
-  b_phi[0] = -2.0 * (-qd[1] * t1 - q[1] * t2 * t3 - (qd[0] * t2 - q[0] * t1 * t3));
+  const tl_real t3 = TL_C(0.5) * p->spin;
+  b_phi[0] = -TL_C(2.0) * (-qd[1] * t1 - q[1] * t2 * t3 - (qd[0] * t2 - q[0] * t1 * t3));
   A_phi[0] = -sine;
   A_phi[1] = cosine;
   for (int i = 1; i < 2; ++i)
@@ -155,14 +160,14 @@ int bead_linearise(const void *params, const tl_real *restrict q, const tl_real 
   (void)q, (void)qd, (void)qdd, (void)lambda, (void)work;
   const struct bead *const p = params;
   if (!bead_fits(params)) return EOM_MOTION_SIZE;
-  r_y[4] = 0.0;
-  r_y[5] = 0.0;
-  r_y[6] = 0.0;
+  r_y[4] = TL_C(0.0);
+  r_y[5] = TL_C(0.0);
+  r_y[6] = TL_C(0.0);
   r_y[7] = p->drag;
-  r_y[0] = 0.0;
-  r_y[1] = 0.0;
+  r_y[0] = TL_C(0.0);
+  r_y[1] = TL_C(0.0);
   r_y[2] = p->drag;
-  r_y[3] = 0.0;
+  r_y[3] = TL_C(0.0);
   const tl_real angle = p->spin * t;
   tl_real sine, cosine;
   tl_sincos_array(1, &angle, &sine, &cosine);
@@ -171,8 +176,8 @@ int bead_linearise(const void *params, const tl_real *restrict q, const tl_real 
   g_y[0] = p->spin * t1;
   const tl_real t2 = p->spin * cosine;
   g_y[1] = -p->spin * t2;
-  g_y[2] = -2.0 * t2;
-  g_y[3] = -2.0 * t1;
+  g_y[2] = -TL_C(2.0) * t2;
+  g_y[3] = -TL_C(2.0) * t1;
   if (!tl_finite_array(8, r_y)) return EOM_MOTION_NOT_FINITE;
   if (!tl_finite_array(4, g_y)) return EOM_MOTION_NOT_FINITE;
   return 0;
@@ -187,8 +192,8 @@ int bead_parameters(const void *params, const tl_real *restrict q, const tl_real
   r_p[3] = qd[1];
   r_p[0] = qdd[0];
   r_p[1] = qd[0];
-  g_p[0] = 0.0;
-  g_p[1] = 0.0;
+  g_p[0] = TL_C(0.0);
+  g_p[1] = TL_C(0.0);
   if (!tl_finite_array(4, r_p)) return EOM_MOTION_NOT_FINITE;
   if (!tl_finite_array(2, g_p)) return EOM_MOTION_NOT_FINITE;
   return 0;
@@ -205,28 +210,28 @@ int bead_constrained(const void *params, const tl_real *restrict q, const tl_rea
   tl_real sine, cosine;
   tl_sincos_array(1, &angle, &sine, &cosine);
   /* bead.c:12: double bead_wire(const double *q, double t, const struct bead *p) { return q[1] * cos(p->spin * t) - q[0] * sin(p->spin * t); } */
-  const tl_real t1 = 1.0 / p->mass;
+  const tl_real t1 = TL_C(1.0) / p->mass;
   const tl_real t2 = -sine * t1;
   /* bead.c:15: for (int i = 0; i < 2; i++) out[i] = -p->drag * qd[i]; */
-  const tl_real i2 = -qd[0] * p->drag;
+  const tl_real t3 = -qd[0] * p->drag;
   /* bead.c:12 */
-  const tl_real t3 = p->spin * sine;
-  const tl_real t4 = 0.5 * p->spin;
-  const tl_real t5 = p->spin * cosine;
-  const tl_real t6 = cosine * t1;
-  const tl_real t7 = -(p->mass * p->gravity + qd[1] * p->drag);
-  const tl_real t8 = -t6 * cosine - t2 * -sine;
-  const tl_real t9 = 1.0 / t8;
-  const tl_real t10 = (-t2 * i2 - 2.0 * (-qd[1] * t3 - q[1] * t4 * t5 - (qd[0] * t5 - q[0] * t3 * t4)) - t6 * t7) * t9;
-  const tl_real t11 = -(-sine * t10);
-  solved[0] = (t11 + i2) * t1;
-  const tl_real t12 = -cosine * t10;
-  solved[1] = (t12 + t7) * t1;
-  lambda[0] = -t10;
-  Qc[0] = t11;
-  Qc[1] = t12;
+  const tl_real t4 = p->spin * sine;
+  const tl_real t5 = TL_C(0.5) * p->spin;
+  const tl_real t6 = p->spin * cosine;
+  const tl_real t7 = cosine * t1;
+  const tl_real t8 = -(p->mass * p->gravity + qd[1] * p->drag);
+  const tl_real t9 = -t7 * cosine - t2 * -sine;
+  const tl_real t10 = TL_C(1.0) / t9;
+  const tl_real t11 = (-t2 * t3 - TL_C(2.0) * (-qd[1] * t4 - q[1] * t5 * t6 - (qd[0] * t6 - q[0] * t4 * t5)) - t7 * t8) * t10;
+  const tl_real t12 = -(-sine * t11);
+  solved[0] = (t12 + t3) * t1;
+  const tl_real t13 = -cosine * t11;
+  solved[1] = (t13 + t8) * t1;
+  lambda[0] = -t11;
+  Qc[0] = t12;
+  Qc[1] = t13;
   inverse[0] = t1;
-  growth[0] = t8 * t9;
+  growth[0] = t9 * t10;
   int sound = 1;
   for (int i = 0; i < 1; ++i) sound &= (inverse[i] > TL_C(0.0)) & (inverse[i] <= TL_MAX);
   for (int i = 0; i < 1; ++i) sound &= (growth[i] > TL_C(0.0)) & (growth[i] * EOM_MOTION_SAFE_PIVOT < TL_C(1.0));
@@ -313,3 +318,19 @@ const eom_model bead_model = {
   .motion = bead_motions,
   .nmotion = 1,
 };
+
+static const eom_parameter bead_member[] = {
+  EOM_MEMBER(struct bead, mass, REAL, "kg, m/s^2, N s/m, 1/s"),
+  EOM_MEMBER(struct bead, gravity, REAL, "kg, m/s^2, N s/m, 1/s"),
+  EOM_MEMBER(struct bead, drag, REAL, "kg, m/s^2, N s/m, 1/s"),
+  EOM_MEMBER(struct bead, spin, REAL, "kg, m/s^2, N s/m, 1/s"),
+};
+
+const eom_description bead_description = {EOM_DESCRIPTION_VERSION, sizeof(eom_model), sizeof(eom_motion), &bead_model, bead_member, 4, NULL};
+
+#ifdef EOM_SHARED_MODEL /* the model of a shared object */
+const eom_description *eom_shared_model(void)
+{
+  return &bead_description;
+}
+#endif

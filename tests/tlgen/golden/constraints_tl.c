@@ -22,18 +22,18 @@ static void energy_tl(tl_ctx *cx, tl_real *result, const struct linkage *p, cons
   /* constraints.c:11: double T = 0.0; */
   cx->line = 11;
   tl_real *const T = frame;
-  tl_const(cx, T, 0.0);
+  tl_const(cx, T, TL_C(0.0));
   for (int i = 0; i < p->coordinates; i++) {
     /* constraints.c:12: for (int i = 0; i < p->coordinates; i++) T += 0.5 * square(qd[i]); */
     cx->line = 12;
     square_tl(cx, tmp0, qd + i*nc);
     cx->line = 12;
-    tl_axpy(cx, T, 0.5, tmp0);
+    tl_axpy(cx, T, TL_C(0.5), tmp0);
   }
   /* constraints.c:13: return T - 9.81 * (q[1] + q[3]); */
   cx->line = 13;
   tl_add(cx, tmp1, q + nc, q + 3*nc);
-  tl_scale(cx, tmp0, tmp1, 9.81);
+  tl_scale(cx, tmp0, tmp1, TL_C(9.81));
   tl_sub(cx, result, T, tmp0);
   tl_pop(cx, 3);
 }
@@ -49,18 +49,18 @@ static void friction_tl(tl_ctx *cx, const tl_real *qd, const struct linkage *p, 
   for (int i = 0; i < p->coordinates; i++) {
     /* constraints.c:18: for (int i = 0; i < p->coordinates; i++) out[i] = 0.0; */
     cx->line = 18;
-    tl_const(cx, out + i*nc, 0.0);
+    tl_const(cx, out + i*nc, TL_C(0.0));
   }
   /* constraints.c:19: out[1] = -0.1 * qd[1]; */
   cx->line = 19;
-  tl_scale(cx, out + nc, qd + nc, -0.1);
+  tl_scale(cx, out + nc, qd + nc, -TL_C(0.1));
   for (int i = 2; i < p->coordinates; i++) {
     /* constraints.c:21: double speed = sqrt(1.0 + square(qd[i])); */
     cx->line = 21;
     tl_real *const speed = frame;
     square_tl(cx, tmp1, qd + i*nc);
     cx->line = 21;
-    tl_shift(cx, tmp0, tmp1, 1.0);
+    tl_shift(cx, tmp0, tmp1, TL_C(1.0));
     tl_sqrt(cx, speed, tmp0);
     /* constraints.c:22: out[i] -= speed * qd[i]; */
     cx->line = 22;
@@ -71,7 +71,7 @@ static void friction_tl(tl_ctx *cx, const tl_real *qd, const struct linkage *p, 
 }
 
 /* square, constraints.c:7. */
-static double square(double x)
+static tl_real square(tl_real x)
 {
   return x * x;
 }
@@ -93,7 +93,7 @@ static void rods_tl(tl_ctx *cx, const tl_real *q, const tl_real *t_in, const str
   /* constraints.c:29: out[0] = square(q[0] - 0.1 * t) + square(q[1]) - square(p->length[0]); */
   cx->line = 29;
   cx->line = 29;
-  tl_scale(cx, tmp3, t, 0.1);
+  tl_scale(cx, tmp3, t, TL_C(0.1));
   tl_sub(cx, tmp2, q, tmp3);
   square_tl(cx, tmp1, tmp2);
   square_tl(cx, tmp4, q + nc);
@@ -130,7 +130,7 @@ static void ground_tl(tl_ctx *cx, tl_real *result, const tl_real *q)
   const ptrdiff_t nc = cx->shape->ncoef;
   /* constraints.c:34: double ground(const double *q) { return q[3] + 0.5; } */
   cx->line = 34;
-  tl_shift(cx, result, q + 3*nc, 0.5);
+  tl_shift(cx, result, q + 3*nc, TL_C(0.5));
 }
 
 /* rolling, constraints.c:36. */
@@ -160,7 +160,7 @@ static void rolling_tl(tl_ctx *cx, const tl_real *q, const tl_real *qd, const tl
   tl_sub(cx, out + nc, qd + 2*nc, tmp0);
   /* constraints.c:40: out[2] = 0.0; */
   cx->line = 40;
-  tl_const(cx, out + 2*nc, 0.0);
+  tl_const(cx, out + 2*nc, TL_C(0.0));
   /* constraints.c:41: out[2] += t * qd[0]; */
   cx->line = 41;
   tl_mul(cx, tmp0, t, qd);
@@ -314,3 +314,19 @@ const eom_model constraints_model = {
   .nonholonomic = constraints_nonholonomic,
   .nnonholonomic = 2,
 };
+
+static const eom_parameter constraints_member[] = {
+  EOM_MEMBER(struct linkage, coordinates, INTEGER, NULL),
+  EOM_MEMBER(struct linkage, links, INTEGER, NULL),
+  EOM_MEMBER_ARRAY(struct linkage, length, 2, REAL, NULL),
+  EOM_MEMBER(struct linkage, ratio, REAL, NULL),
+};
+
+const eom_description constraints_description = {EOM_DESCRIPTION_VERSION, sizeof(eom_model), 0, &constraints_model, constraints_member, 4, NULL};
+
+#ifdef EOM_SHARED_MODEL /* the model of a shared object */
+const eom_description *eom_shared_model(void)
+{
+  return &constraints_description;
+}
+#endif

@@ -2,15 +2,15 @@
 #ifndef CONSTRAINTS_TL_H
 #define CONSTRAINTS_TL_H
 
-#include "eom/model.h"
+#include "eom/description.h"
 
 #ifndef TLGEN_STRUCT_linkage
 #define TLGEN_STRUCT_linkage
 struct linkage {
   int coordinates;
   int links;
-  double length[2];
-  double ratio;
+  tl_real length[2];
+  tl_real ratio;
 };
 #endif
 
@@ -19,6 +19,7 @@ extern "C" {
 #endif
 
 extern const eom_model constraints_model;
+extern const eom_description constraints_description;
 
 #ifdef __cplusplus
 }

@@ -3,7 +3,7 @@
 
 #include "taylor/taylor.h"
 
-static const double height[4] = {2.0, 3.5, -0.25, 0.125};
+static const tl_real height[4] = {TL_C(2.0), TL_C(3.5), -TL_C(0.25), TL_C(0.125)};
 
 /* hang, crane.c:21. */
 static void hang_tl(tl_ctx *cx, tl_real *result, const tl_real *top_in, const tl_real *angle, const tl_real *length)
@@ -32,7 +32,7 @@ static void hang_tl(tl_ctx *cx, tl_real *result, const tl_real *top_in, const tl
 }
 
 /* polynomial, crane.c:14. */
-static void polynomial_tl(tl_ctx *cx, tl_real *result, const double *c, int n, const tl_real *x)
+static void polynomial_tl(tl_ctx *cx, tl_real *result, const tl_real *c, int n, const tl_real *x)
 {
   const ptrdiff_t nc = cx->shape->ncoef;
   tl_real *const frame = tl_push(cx, 2);
@@ -41,7 +41,7 @@ static void polynomial_tl(tl_ctx *cx, tl_real *result, const double *c, int n, c
   /* crane.c:16: double y = 0.0; */
   cx->line = 16;
   tl_real *const y = frame;
-  tl_const(cx, y, 0.0);
+  tl_const(cx, y, TL_C(0.0));
   while (n-- > 0) {
     /* crane.c:17: while (n-- > 0) y = y * x + c[n]; */
     cx->line = 17;
@@ -69,19 +69,19 @@ static void wind_tl(tl_ctx *cx, tl_real *result, const tl_real *t_in, const tl_r
   /* crane.c:31: double speed = load.y > 2.0 ? 3.0 + sin(2.0 * t) : 1.0; */
   cx->line = 31;
   tl_real *const speed = frame + 3*nc;
-  if (load[nc] > 2.0) {
-    tl_scale(cx, tmp1, t, 2.0);
+  if (load[nc] > TL_C(2.0)) {
+    tl_scale(cx, tmp1, t, TL_C(2.0));
     tl_sin(cx, tmp0, tmp1);
-    tl_shift(cx, speed, tmp0, 3.0);
+    tl_shift(cx, speed, tmp0, TL_C(3.0));
   } else {
-    tl_const(cx, speed, 1.0);
+    tl_const(cx, speed, TL_C(1.0));
   }
   /* crane.c:33: *pressure = 0.5 * speed * fabs(speed); */
   cx->line = 33;
-  tl_scale(cx, tmp0, speed, 0.5);
+  tl_scale(cx, tmp0, speed, TL_C(0.5));
   tl_fabs(cx, tmp1, speed);
   tl_mul(cx, pressure, tmp0, tmp1);
-  if (load[0] < 0.0) {
+  if (load[0] < TL_C(0.0)) {
     /* crane.c:34: if (load.x < 0.0) return -speed; */
     cx->line = 34;
     tl_neg(cx, result, speed);
@@ -119,13 +119,13 @@ static void lagrangian_tl(tl_ctx *cx, tl_real *result, const tl_real *q, const t
   cx->line = 41;
   tl_real *const load = frame + 3*nc;
   cx->line = 41;
-  tl_scale(cx, tmp1, t, 0.1);
-  tl_shift(cx, tmp0, tmp1, 1.5);
+  tl_scale(cx, tmp1, t, TL_C(0.1));
+  tl_shift(cx, tmp0, tmp1, TL_C(1.5));
   hang_tl(cx, load, top, q + 2*nc, tmp0);
   /* crane.c:42: double T = 0.5 * p->mass * qd[1] * qd[1], pressure, speed; */
   cx->line = 42;
   tl_real *const T = frame + 5*nc;
-  tl_scale(cx, tmp0, qd + nc, 0.5 * p->mass);
+  tl_scale(cx, tmp0, qd + nc, TL_C(0.5) * p->mass);
   tl_mul(cx, T, tmp0, qd + nc);
   tl_real *const pressure = frame + 6*nc;
   tl_real *const speed = frame + 7*nc;
@@ -135,7 +135,7 @@ static void lagrangian_tl(tl_ctx *cx, tl_real *result, const tl_real *q, const t
     }
     /* crane.c:46: T += 0.125 * (k + 1) * qd[0] * qd[0] * pow(top.y, 2); */
     cx->line = 46;
-    tl_scale(cx, tmp1, qd, 0.125 * (double)(k + 1));
+    tl_scale(cx, tmp1, qd, TL_C(0.125) * (tl_real)(k + 1));
     tl_mul(cx, tmp0, tmp1, qd);
     tl_powi(cx, tmp2, top + nc, 2);
     tl_muladd(cx, T, tmp0, tmp2);
@@ -145,9 +145,9 @@ static void lagrangian_tl(tl_ctx *cx, tl_real *result, const tl_real *q, const t
   wind_tl(cx, speed, t, load, pressure);
   /* crane.c:49: return T + 0.5 * p->load * hypot(qd[2], 0.1 * qd[0]) - p->load * p->gravity * load.y + pressure * load.x * speed; */
   cx->line = 49;
-  tl_scale(cx, tmp4, qd, 0.1);
+  tl_scale(cx, tmp4, qd, TL_C(0.1));
   tl_hypot(cx, tmp3, qd + 2*nc, tmp4);
-  tl_scale(cx, tmp2, tmp3, 0.5 * p->load);
+  tl_scale(cx, tmp2, tmp3, TL_C(0.5) * p->load);
   tl_add(cx, tmp1, T, tmp2);
   tl_scale(cx, tmp5, load + nc, p->load * p->gravity);
   tl_sub(cx, tmp0, tmp1, tmp5);
@@ -158,7 +158,7 @@ static void lagrangian_tl(tl_ctx *cx, tl_real *result, const tl_real *q, const t
 }
 
 /* hang, crane.c:21. */
-static void hang_tl2(tl_ctx *cx, tl_real *result, const tl_real *top_in, const tl_real *angle, double length)
+static void hang_tl2(tl_ctx *cx, tl_real *result, const tl_real *top_in, const tl_real *angle, tl_real length)
 {
   const ptrdiff_t nc = cx->shape->ncoef;
   tl_real *const frame = tl_push(cx, 3);
@@ -195,19 +195,19 @@ static void cable_tl(tl_ctx *cx, const tl_real *q, const tl_real *t_in, tl_real 
   tl_real *const load = frame + nc;
   cx->line = 54;
   tl_copy(cx, frame + 5*nc, q + nc);
-  tl_const(cx, frame + 5*nc + nc, 0.0);
+  tl_const(cx, frame + 5*nc + nc, TL_C(0.0));
   tl_move(cx, frame + 3*nc, frame + 5*nc, 2);
-  hang_tl2(cx, load, frame + 3*nc, q + 2*nc, 1.0);
+  hang_tl2(cx, load, frame + 3*nc, q + 2*nc, TL_C(1.0));
   /* crane.c:55: out[0] = load.x; */
   cx->line = 55;
   tl_copy(cx, out, load);
   /* crane.c:56: out[1] = load.y + (t > 1.0 ? 0.5 * (t - 1.0) : 0.0); */
   cx->line = 56;
-  if (t[0] > 1.0) {
-    tl_shift(cx, tmp1, t, -1.0);
-    tl_scale(cx, tmp0, tmp1, 0.5);
+  if (t[0] > TL_C(1.0)) {
+    tl_shift(cx, tmp1, t, -TL_C(1.0));
+    tl_scale(cx, tmp0, tmp1, TL_C(0.5));
   } else {
-    tl_const(cx, tmp0, 0.0);
+    tl_const(cx, tmp0, TL_C(0.0));
   }
   tl_add(cx, out + nc, load + nc, tmp0);
   tl_pop(cx, 9);
@@ -270,3 +270,19 @@ const eom_model crane_model = {
   .nonholonomic = NULL,
   .nnonholonomic = 0,
 };
+
+static const eom_parameter crane_member[] = {
+  EOM_MEMBER(struct crane, mass, REAL, NULL),
+  EOM_MEMBER(struct crane, load, REAL, NULL),
+  EOM_MEMBER(struct crane, gravity, REAL, NULL),
+  EOM_MEMBER(struct crane, sections, INTEGER, NULL),
+};
+
+const eom_description crane_description = {EOM_DESCRIPTION_VERSION, sizeof(eom_model), 0, &crane_model, crane_member, 4, NULL};
+
+#ifdef EOM_SHARED_MODEL /* the model of a shared object */
+const eom_description *eom_shared_model(void)
+{
+  return &crane_description;
+}
+#endif

@@ -2,22 +2,22 @@
 #ifndef CRANE_TL_H
 #define CRANE_TL_H
 
-#include "eom/model.h"
+#include "eom/description.h"
 
 #ifndef TLGEN_STRUCT_point
 #define TLGEN_STRUCT_point
 typedef struct {
-  double x;
-  double y;
+  tl_real x;
+  tl_real y;
 } point;
 #endif
 
 #ifndef TLGEN_STRUCT_crane
 #define TLGEN_STRUCT_crane
 struct crane {
-  double mass;
-  double load;
-  double gravity;
+  tl_real mass;
+  tl_real load;
+  tl_real gravity;
   int sections;
 };
 #endif
@@ -27,6 +27,7 @@ extern "C" {
 #endif
 
 extern const eom_model crane_model;
+extern const eom_description crane_description;
 
 #ifdef __cplusplus
 }

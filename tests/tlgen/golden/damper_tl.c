@@ -26,7 +26,7 @@ static void damper_lagrangian_tl(tl_ctx *cx, tl_real *result, const tl_real *q, 
   tl_mul(cx, tmp1, qd, qd);
   tl_mul(cx, tmp2, q, q);
   tl_sub(cx, tmp0, tmp1, tmp2);
-  tl_scale(cx, result, tmp0, 0.5);
+  tl_scale(cx, result, tmp0, TL_C(0.5));
   tl_pop(cx, 3);
 }
 
@@ -45,10 +45,10 @@ static void damper_loss_tl(tl_ctx *cx, tl_real *result, const tl_real *qd)
   tl_fabs(cx, speed, qd);
   /* damper.c:9: return 0.2 * speed * speed * speed / 3.0; */
   cx->line = 9;
-  tl_scale(cx, tmp2, speed, 0.2);
+  tl_scale(cx, tmp2, speed, TL_C(0.2));
   tl_mul(cx, tmp1, tmp2, speed);
   tl_mul(cx, tmp0, tmp1, speed);
-  tl_divc(cx, result, tmp0, 3.0);
+  tl_divc(cx, result, tmp0, TL_C(3.0));
   tl_pop(cx, 4);
 }
 
@@ -81,11 +81,11 @@ int damper_simulate(const void *params, const tl_real *restrict q, const tl_real
   int outside1 = 0;
   tl_real *const restrict M = out->M;
   tl_real *const restrict Q = out->Q;
-  outside1 |= qd[0] == 0.0;
-  M[0] = 1.0;
+  outside1 |= qd[0] == TL_C(0.0);
+  M[0] = TL_C(1.0);
   /* damper.c:8: const double speed = fabs(qd[0]); */
-  const tl_real speed = fabs(qd[0]);
-  Q[0] = -q[0] - 0.2 * speed * speed * copysign(1.0, qd[0]);
+  const tl_real speed = TL_LIBM(fabs)(qd[0]);
+  Q[0] = -q[0] - TL_C(0.2) * speed * speed * TL_LIBM(copysign)(TL_C(1.0), qd[0]);
   if (outside1) return 1;
   if (!tl_finite_array(1, M)) return EOM_MOTION_NOT_FINITE;
   if (!tl_finite_array(1, Q)) return EOM_MOTION_NOT_FINITE;
@@ -97,11 +97,11 @@ int damper_linearise(const void *params, const tl_real *restrict q, const tl_rea
   (void)q, (void)t, (void)qdd, (void)lambda, (void)g_y, (void)work;
   if (!damper_fits(params)) return EOM_MOTION_SIZE;
   int outside1 = 0;
-  outside1 |= qd[0] == 0.0;
-  r_y[0] = 1.0;
+  outside1 |= qd[0] == TL_C(0.0);
+  r_y[0] = TL_C(1.0);
   /* damper.c:8: const double speed = fabs(qd[0]); */
-  const tl_real t1 = copysign(1.0, qd[0]);
-  r_y[1] = 0.4 * fabs(qd[0]) * t1 * t1;
+  const tl_real t1 = TL_LIBM(copysign)(TL_C(1.0), qd[0]);
+  r_y[1] = TL_C(0.4) * TL_LIBM(fabs)(qd[0]) * t1 * t1;
   if (outside1) return 1;
   if (!tl_finite_array(2, r_y)) return EOM_MOTION_NOT_FINITE;
   return 0;
@@ -116,11 +116,11 @@ int damper_acceleration(const void *params, const tl_real *restrict q, const tl_
   tl_real qdd[8];
   tl_real dinv[16];
   int outside1 = 0;
-  outside1 |= qd[0] == 0.0;
-  M[0*8 + 0] = 1.0;
+  outside1 |= qd[0] == TL_C(0.0);
+  M[0*8 + 0] = TL_C(1.0);
   /* damper.c:8: const double speed = fabs(qd[0]); */
-  const tl_real speed = fabs(qd[0]);
-  Q[0] = -q[0] - 0.2 * speed * speed * copysign(1.0, qd[0]);
+  const tl_real speed = TL_LIBM(fabs)(qd[0]);
+  Q[0] = -q[0] - TL_C(0.2) * speed * speed * TL_LIBM(copysign)(TL_C(1.0), qd[0]);
   if (outside1) return 1;
   const tl_real pivot = tl_ldl_factor_solve(1, qdd, M, 8, dinv, Q);
   for (int i = 0; i < 1; ++i) solved[i] = qdd[i];
@@ -139,20 +139,20 @@ int damper_jacobian(const void *params, const tl_real *restrict q, const tl_real
   tl_real qdd[8];
   tl_real dinv[16];
   int outside1 = 0;
-  outside1 |= qd[0] == 0.0;
-  M[0*8 + 0] = 1.0;
+  outside1 |= qd[0] == TL_C(0.0);
+  M[0*8 + 0] = TL_C(1.0);
   /* damper.c:8: const double speed = fabs(qd[0]); */
-  const tl_real speed = fabs(qd[0]);
-  const tl_real t1 = copysign(1.0, qd[0]);
+  const tl_real speed = TL_LIBM(fabs)(qd[0]);
+  const tl_real t1 = TL_LIBM(copysign)(TL_C(1.0), qd[0]);
   /* damper.c:9: return 0.2 * speed * speed * speed / 3.0; */
   const tl_real t2 = speed * t1;
-  Q[0] = -q[0] - 0.2 * speed * t2;
+  Q[0] = -q[0] - TL_C(0.2) * speed * t2;
   if (outside1) return 1;
   const tl_real pivot = tl_ldl_factor_solve(1, qdd, M, 8, dinv, Q);
   for (int i = 0; i < 1; ++i) solved[i] = qdd[i];
   if (!(pivot * EOM_MOTION_LEAST_PIVOT(1) < TL_C(1.0))) return EOM_MOTION_PIVOT;
-  B[0*8 + 0] = 1.0;
-  B[0*8 + 1] = 0.4 * t1 * t2;
+  B[0*8 + 0] = TL_C(1.0);
+  B[0*8 + 1] = TL_C(0.4) * t1 * t2;
   if (outside1) return 1;
   tl_ldl_solve_many(1, 2, B, 8, M, 8, dinv);
   for (int i = 0; i < 1; ++i)
@@ -228,3 +228,12 @@ const eom_model damper_model = {
   .motion = damper_motions,
   .nmotion = 1,
 };
+
+const eom_description damper_description = {EOM_DESCRIPTION_VERSION, sizeof(eom_model), sizeof(eom_motion), &damper_model, NULL, 0, NULL};
+
+#ifdef EOM_SHARED_MODEL /* the model of a shared object */
+const eom_description *eom_shared_model(void)
+{
+  return &damper_description;
+}
+#endif

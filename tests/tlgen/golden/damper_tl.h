@@ -2,13 +2,14 @@
 #ifndef DAMPER_TL_H
 #define DAMPER_TL_H
 
-#include "eom/model.h"
+#include "eom/description.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 extern const eom_model damper_model;
+extern const eom_description damper_description;
 
 /* Its motion: what the functions compute is said in eom/motion.h. */
 extern const eom_motion damper_motion;

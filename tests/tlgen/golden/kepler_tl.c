@@ -29,9 +29,9 @@ static void kepler_lagrangian_tl(tl_ctx *cx, tl_real *result, const tl_real *q, 
   tl_mul(cx, tmp2, qd, qd);
   tl_mul(cx, tmp3, qd + nc, qd + nc);
   tl_add(cx, tmp1, tmp2, tmp3);
-  tl_scale(cx, tmp0, tmp1, 0.5);
+  tl_scale(cx, tmp0, tmp1, TL_C(0.5));
   tl_hypot(cx, tmp5, q, q + nc);
-  tl_rdiv(cx, tmp4, 1.0, tmp5);
+  tl_rdiv(cx, tmp4, TL_C(1.0), tmp5);
   tl_add(cx, result, tmp0, tmp4);
   tl_pop(cx, 6);
 }
@@ -58,14 +58,14 @@ int kepler_simulate(const void *params, const tl_real *restrict q, const tl_real
   tl_real *const restrict M = out->M;
   tl_real *const restrict Q = out->Q;
   /* kepler.c:7: return 0.5 * (qd[0] * qd[0] + qd[1] * qd[1]) + 1.0 / hypot(q[0], q[1]); */
-  const tl_real t1 = hypot(q[0], q[1]);
-  const int t2 = t1 == 0.0;
+  const tl_real t1 = TL_LIBM(hypot)(q[0], q[1]);
+  const int t2 = t1 == TL_C(0.0);
   outside1 |= t2;
   outside2 |= t2;
-  M[3] = 1.0;
-  M[0] = 1.0;
-  M[1] = 0.0;
-  const tl_real t3 = 1.0 / t1;
+  M[3] = TL_C(1.0);
+  M[0] = TL_C(1.0);
+  M[1] = TL_C(0.0);
+  const tl_real t3 = TL_C(1.0) / t1;
   const tl_real t4 = t3 * (t3 * t3);
   Q[1] = -q[1] * t4;
   Q[0] = -q[0] * t4;
@@ -83,23 +83,23 @@ int kepler_linearise(const void *params, const tl_real *restrict q, const tl_rea
   if (!kepler_fits(params)) return EOM_MOTION_SIZE;
   int outside1 = 0, outside2 = 0;
   /* kepler.c:7: return 0.5 * (qd[0] * qd[0] + qd[1] * qd[1]) + 1.0 / hypot(q[0], q[1]); */
-  const tl_real t1 = hypot(q[0], q[1]);
-  const int t2 = t1 == 0.0;
+  const tl_real t1 = TL_LIBM(hypot)(q[0], q[1]);
+  const int t2 = t1 == TL_C(0.0);
   outside1 |= t2;
   outside2 |= t2;
-  const tl_real t3 = 1.0 / t1;
+  const tl_real t3 = TL_C(1.0) / t1;
   const tl_real t4 = t3 * (t3 * t3);
-  const tl_real t5 = 3.0 * t3 * (t3 * t4);
+  const tl_real t5 = TL_C(3.0) * t3 * (t3 * t4);
   const tl_real t6 = q[1] * t5;
   const tl_real t7 = -q[0] * t6;
   r_y[4] = t7;
   r_y[5] = t4 - q[1] * t6;
-  r_y[6] = 0.0;
-  r_y[7] = 0.0;
+  r_y[6] = TL_C(0.0);
+  r_y[7] = TL_C(0.0);
   r_y[0] = t4 - q[0] * q[0] * t5;
   r_y[1] = t7;
-  r_y[2] = 0.0;
-  r_y[3] = 0.0;
+  r_y[2] = TL_C(0.0);
+  r_y[3] = TL_C(0.0);
   if (outside1 | outside2) return outside1 ? 1 : 2;
   if (!tl_finite_array(8, r_y)) return EOM_MOTION_NOT_FINITE;
   return 0;
@@ -115,14 +115,14 @@ int kepler_acceleration(const void *params, const tl_real *restrict q, const tl_
   tl_real dinv[16];
   int outside1 = 0, outside2 = 0;
   /* kepler.c:7: return 0.5 * (qd[0] * qd[0] + qd[1] * qd[1]) + 1.0 / hypot(q[0], q[1]); */
-  const tl_real t1 = hypot(q[0], q[1]);
-  const int t2 = t1 == 0.0;
+  const tl_real t1 = TL_LIBM(hypot)(q[0], q[1]);
+  const int t2 = t1 == TL_C(0.0);
   outside1 |= t2;
   outside2 |= t2;
-  M[1*8 + 1] = 1.0;
-  M[0*8 + 0] = 1.0;
-  M[0*8 + 1] = 0.0;
-  const tl_real t3 = 1.0 / t1;
+  M[1*8 + 1] = TL_C(1.0);
+  M[0*8 + 0] = TL_C(1.0);
+  M[0*8 + 1] = TL_C(0.0);
+  const tl_real t3 = TL_C(1.0) / t1;
   const tl_real t4 = t3 * (t3 * t3);
   Q[1] = -q[1] * t4;
   Q[0] = -q[0] * t4;
@@ -145,14 +145,14 @@ int kepler_jacobian(const void *params, const tl_real *restrict q, const tl_real
   tl_real dinv[16];
   int outside1 = 0, outside2 = 0;
   /* kepler.c:7: return 0.5 * (qd[0] * qd[0] + qd[1] * qd[1]) + 1.0 / hypot(q[0], q[1]); */
-  const tl_real t1 = hypot(q[0], q[1]);
-  const int t2 = t1 == 0.0;
+  const tl_real t1 = TL_LIBM(hypot)(q[0], q[1]);
+  const int t2 = t1 == TL_C(0.0);
   outside1 |= t2;
   outside2 |= t2;
-  M[1*8 + 1] = 1.0;
-  M[0*8 + 0] = 1.0;
-  M[0*8 + 1] = 0.0;
-  const tl_real t3 = 1.0 / t1;
+  M[1*8 + 1] = TL_C(1.0);
+  M[0*8 + 0] = TL_C(1.0);
+  M[0*8 + 1] = TL_C(0.0);
+  const tl_real t3 = TL_C(1.0) / t1;
   const tl_real t4 = t3 * t3;
   const tl_real t5 = t3 * t4;
   const tl_real t6 = q[1] * t5;
@@ -163,17 +163,17 @@ int kepler_jacobian(const void *params, const tl_real *restrict q, const tl_real
   const tl_real pivot = tl_ldl_factor_solve(2, qdd, M, 8, dinv, Q);
   for (int i = 0; i < 2; ++i) solved[i] = qdd[i];
   if (!(pivot * EOM_MOTION_LEAST_PIVOT(2) < TL_C(1.0))) return EOM_MOTION_PIVOT;
-  const tl_real t8 = 3.0 * t4;
+  const tl_real t8 = TL_C(3.0) * t4;
   const tl_real t9 = t6 * t8;
   const tl_real t10 = -q[0] * t9;
   B[1*8 + 0] = t10;
   B[1*8 + 1] = t5 - q[1] * t9;
-  B[1*8 + 2] = 0.0;
-  B[1*8 + 3] = 0.0;
+  B[1*8 + 2] = TL_C(0.0);
+  B[1*8 + 3] = TL_C(0.0);
   B[0*8 + 0] = t5 - q[0] * t8 * t7;
   B[0*8 + 1] = t10;
-  B[0*8 + 2] = 0.0;
-  B[0*8 + 3] = 0.0;
+  B[0*8 + 2] = TL_C(0.0);
+  B[0*8 + 3] = TL_C(0.0);
   if (outside1 | outside2) return outside1 ? 1 : 2;
   tl_ldl_solve_many(2, 4, B, 8, M, 8, dinv);
   for (int i = 0; i < 2; ++i)
@@ -237,3 +237,12 @@ const eom_model kepler_model = {
   .motion = kepler_motions,
   .nmotion = 1,
 };
+
+const eom_description kepler_description = {EOM_DESCRIPTION_VERSION, sizeof(eom_model), sizeof(eom_motion), &kepler_model, NULL, 0, NULL};
+
+#ifdef EOM_SHARED_MODEL /* the model of a shared object */
+const eom_description *eom_shared_model(void)
+{
+  return &kepler_description;
+}
+#endif

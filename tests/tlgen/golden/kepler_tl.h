@@ -2,13 +2,14 @@
 #ifndef KEPLER_TL_H
 #define KEPLER_TL_H
 
-#include "eom/model.h"
+#include "eom/description.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 extern const eom_model kepler_model;
+extern const eom_description kepler_description;
 
 /* Its motion: what the functions compute is said in eom/motion.h. */
 extern const eom_motion kepler_motion;

@@ -16,9 +16,9 @@
 
 struct pendulum {
   int n;
-  double g;
-  double mass[64];
-  double length[64];
+  tl_real g;
+  tl_real mass[64];
+  tl_real length[64];
 };
 
 /* pendulum_lagrangian, pendulum.c:6. */
@@ -33,19 +33,19 @@ static void pendulum_lagrangian_tl(tl_ctx *cx, tl_real *result, const tl_real *q
   /* pendulum.c:7: double vx = 0.0, vy = 0.0; */
   cx->line = 7;
   tl_real *const vx = frame;
-  tl_const(cx, vx, 0.0);
+  tl_const(cx, vx, TL_C(0.0));
   tl_real *const vy = frame + nc;
-  tl_const(cx, vy, 0.0);
+  tl_const(cx, vy, TL_C(0.0));
   /* pendulum.c:8: double height = 0.0; */
   cx->line = 8;
   tl_real *const height = frame + 2*nc;
-  tl_const(cx, height, 0.0);
+  tl_const(cx, height, TL_C(0.0));
   /* pendulum.c:9: double T = 0.0, V = 0.0; */
   cx->line = 9;
   tl_real *const T = frame + 3*nc;
-  tl_const(cx, T, 0.0);
+  tl_const(cx, T, TL_C(0.0));
   tl_real *const V = frame + 4*nc;
-  tl_const(cx, V, 0.0);
+  tl_const(cx, V, TL_C(0.0));
   (void)t[0];
   for (int k = 0; k < p->n; k++) {
     /* pendulum.c:13: double s = sin(q[k]), c = cos(q[k]); */
@@ -69,7 +69,7 @@ static void pendulum_lagrangian_tl(tl_ctx *cx, tl_real *result, const tl_real *q
     tl_mul(cx, tmp1, vx, vx);
     tl_mul(cx, tmp2, vy, vy);
     tl_add(cx, tmp0, tmp1, tmp2);
-    tl_axpy(cx, T, 0.5 * p->mass[k], tmp0);
+    tl_axpy(cx, T, TL_C(0.5) * p->mass[k], tmp0);
     /* pendulum.c:19: V += p->mass[k] * p->g * height; */
     cx->line = 19;
     tl_axpy(cx, V, p->mass[k] * p->g, height);
@@ -163,17 +163,17 @@ int pendulum_lanes_linearise(const void *params, const tl_real *restrict q, cons
   const tl_real t13 = t4 + t10;
   r_y[5] = p->g * c2 + (t10 * t6 + t12 * c2 - (t11 * c2 + t13 * t6));
   /* pendulum.c:16 */
-  const tl_real t14 = 2.0 * t1 * t6;
+  const tl_real t14 = TL_C(2.0) * t1 * t6;
   /* pendulum.c:15 */
-  const tl_real t15 = 2.0 * t2 * c2;
+  const tl_real t15 = TL_C(2.0) * t2 * c2;
   r_y[6] = qd[0] * t14 - qd[0] * t15;
-  r_y[7] = 0.0;
+  r_y[7] = TL_C(0.0);
   /* pendulum.c:16 */
   const tl_real t16 = p->mass[1] * t2;
   const tl_real t17 = p->mass[1] * t1;
   r_y[0] = p->g * (p->mass[0] + p->mass[1]) * t1 + (t4 * t16 + t12 * t17 - (t7 * t17 + t13 * t16));
   r_y[1] = t10 * t16 - t11 * t17;
-  r_y[2] = 0.0;
+  r_y[2] = TL_C(0.0);
   r_y[3] = qd[1] * t15 - qd[1] * t14;
   if (!tl_finite_array(8, r_y)) return EOM_MOTION_NOT_FINITE;
   return 0;
@@ -317,14 +317,14 @@ int pendulum_lanes_jacobian(const void *params, const tl_real *restrict q, const
   const tl_real t23 = t17 + t20;
   B[1*8 + 1] = p->g * c2 + (t20 * t4 + t22 * c2 - (t21 * c2 + t23 * t4));
   /* pendulum.c:16 */
-  const tl_real t24 = 2.0 * t5 * t4;
+  const tl_real t24 = TL_C(2.0) * t5 * t4;
   /* pendulum.c:15 */
-  const tl_real t25 = 2.0 * t3 * c2;
+  const tl_real t25 = TL_C(2.0) * t3 * c2;
   B[1*8 + 2] = qd[0] * t24 - qd[0] * t25;
-  B[1*8 + 3] = 0.0;
+  B[1*8 + 3] = TL_C(0.0);
   B[0*8 + 0] = t17 * t16 + t22 * t14 - (t18 * t14 + t23 * t16) + t5 * t15;
   B[0*8 + 1] = t20 * t16 - t21 * t14;
-  B[0*8 + 2] = 0.0;
+  B[0*8 + 2] = TL_C(0.0);
   B[0*8 + 3] = qd[1] * t25 - qd[1] * t24;
   tl_ldl_solve_many(2, 4, B, 8, M, 8, dinv);
   for (int i = 0; i < 2; ++i)
@@ -394,14 +394,14 @@ int pendulum_lanes_jacobian_lanes(const void *params, const tl_lanes *restrict q
   const tl_lanes t23 = t17 + t20;
   B[1*8 + 1] = p->g * c2 + (t20 * t4 + t22 * c2 - (t21 * c2 + t23 * t4));
   /* pendulum.c:16 */
-  const tl_lanes t24 = 2.0 * t5 * t4;
+  const tl_lanes t24 = TL_C(2.0) * t5 * t4;
   /* pendulum.c:15 */
-  const tl_lanes t25 = 2.0 * t3 * c2;
+  const tl_lanes t25 = TL_C(2.0) * t3 * c2;
   B[1*8 + 2] = qd[0] * t24 - qd[0] * t25;
-  B[1*8 + 3] = tl_lanes_of(0.0);
+  B[1*8 + 3] = tl_lanes_of(TL_C(0.0));
   B[0*8 + 0] = t17 * t16 + t22 * t14 - (t18 * t14 + t23 * t16) + t5 * t15;
   B[0*8 + 1] = t20 * t16 - t21 * t14;
-  B[0*8 + 2] = tl_lanes_of(0.0);
+  B[0*8 + 2] = tl_lanes_of(TL_C(0.0));
   B[0*8 + 3] = qd[1] * t25 - qd[1] * t24;
   tl_ldl_solve_many_lanes(2, 4, B, 8, M, 8, dinv);
   for (int i = 0; i < 2; ++i)
@@ -459,3 +459,19 @@ const eom_model pendulum_lanes_model = {
   .motion = pendulum_lanes_motions,
   .nmotion = 1,
 };
+
+static const eom_parameter pendulum_lanes_member[] = {
+  EOM_MEMBER(struct pendulum, n, INTEGER, "number of links, 1..PENDULUM_MAX_LINKS"),
+  EOM_MEMBER(struct pendulum, g, REAL, "gravity, m/s^2"),
+  EOM_MEMBER_ARRAY(struct pendulum, mass, 64, REAL, "mass at the end of each link, kg"),
+  EOM_MEMBER_ARRAY(struct pendulum, length, 64, REAL, "length of each link, m"),
+};
+
+const eom_description pendulum_lanes_description = {EOM_DESCRIPTION_VERSION, sizeof(eom_model), sizeof(eom_motion), &pendulum_lanes_model, pendulum_lanes_member, 4, NULL};
+
+#ifdef EOM_SHARED_MODEL /* the model of a shared object */
+const eom_description *eom_shared_model(void)
+{
+  return &pendulum_lanes_description;
+}
+#endif

@@ -2,7 +2,7 @@
 #ifndef PENDULUM_LANES_TL_H
 #define PENDULUM_LANES_TL_H
 
-#include "eom/model.h"
+#include "eom/description.h"
 #include "taylor/lanes.h"
 
 #ifdef __cplusplus
@@ -10,6 +10,7 @@ extern "C" {
 #endif
 
 extern const eom_model pendulum_lanes_model;
+extern const eom_description pendulum_lanes_description;
 
 /* Its motion with n = 2: what the functions compute is said in eom/motion.h. */
 extern const eom_motion pendulum_lanes_motion;

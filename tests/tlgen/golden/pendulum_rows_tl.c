@@ -14,9 +14,9 @@
 
 struct pendulum {
   int n;
-  double g;
-  double mass[64];
-  double length[64];
+  tl_real g;
+  tl_real mass[64];
+  tl_real length[64];
 };
 
 /* pendulum_lagrangian, pendulum.c:6. */
@@ -31,19 +31,19 @@ static void pendulum_lagrangian_tl(tl_ctx *cx, tl_real *result, const tl_real *q
   /* pendulum.c:7: double vx = 0.0, vy = 0.0; */
   cx->line = 7;
   tl_real *const vx = frame;
-  tl_const(cx, vx, 0.0);
+  tl_const(cx, vx, TL_C(0.0));
   tl_real *const vy = frame + nc;
-  tl_const(cx, vy, 0.0);
+  tl_const(cx, vy, TL_C(0.0));
   /* pendulum.c:8: double height = 0.0; */
   cx->line = 8;
   tl_real *const height = frame + 2*nc;
-  tl_const(cx, height, 0.0);
+  tl_const(cx, height, TL_C(0.0));
   /* pendulum.c:9: double T = 0.0, V = 0.0; */
   cx->line = 9;
   tl_real *const T = frame + 3*nc;
-  tl_const(cx, T, 0.0);
+  tl_const(cx, T, TL_C(0.0));
   tl_real *const V = frame + 4*nc;
-  tl_const(cx, V, 0.0);
+  tl_const(cx, V, TL_C(0.0));
   (void)t[0];
   for (int k = 0; k < p->n; k++) {
     /* pendulum.c:13: double s = sin(q[k]), c = cos(q[k]); */
@@ -67,7 +67,7 @@ static void pendulum_lagrangian_tl(tl_ctx *cx, tl_real *result, const tl_real *q
     tl_mul(cx, tmp1, vx, vx);
     tl_mul(cx, tmp2, vy, vy);
     tl_add(cx, tmp0, tmp1, tmp2);
-    tl_axpy(cx, T, 0.5 * p->mass[k], tmp0);
+    tl_axpy(cx, T, TL_C(0.5) * p->mass[k], tmp0);
     /* pendulum.c:19: V += p->mass[k] * p->g * height; */
     cx->line = 19;
     tl_axpy(cx, V, p->mass[k] * p->g, height);
@@ -103,7 +103,7 @@ int pendulum_rows_simulate(const void *params, const tl_real *restrict q, const 
   TL_ALIGNED tl_real row2[8] = {0};
   tl_real *const restrict M = out->M;
   tl_real *const restrict Q = out->Q;
-  tl_real c1 = 0.0;
+  tl_real c1 = TL_C(0.0);
   for (long i2 = 5; i2 >= 0; --i2) {
     /* pendulum.c:18: T += 0.5 * p->mass[k] * (vx * vx + vy * vy); */
     const tl_real t1 = p->mass[i2] + c1;
@@ -120,8 +120,8 @@ int pendulum_rows_simulate(const void *params, const tl_real *restrict q, const 
     row[i2] = t3;
     row2[i2] = t4;
   }
-  tl_real c2 = 0.0;
-  tl_real c3 = 0.0;
+  tl_real c2 = TL_C(0.0);
+  tl_real c3 = TL_C(0.0);
   for (long i2 = 0; i2 < 6; ++i2) {
     /* pendulum.c:15: vx += p->length[k] * c * qd[k]; */
     const tl_real t5 = c2 - p->length[i2] * sines[i2] * qd[i2] * qd[i2];
@@ -132,9 +132,9 @@ int pendulum_rows_simulate(const void *params, const tl_real *restrict q, const 
     c2 = t5;
     c3 = t6;
   }
-  tl_real c4 = 0.0;
-  tl_real c5 = 0.0;
-  tl_real c6 = 0.0;
+  tl_real c4 = TL_C(0.0);
+  tl_real c5 = TL_C(0.0);
+  tl_real c6 = TL_C(0.0);
   for (long i2 = 5; i2 >= 0; --i2) {
     /* pendulum.c:15 */
     const tl_real t7 = p->length[i2] * cosines[i2];
@@ -178,7 +178,7 @@ int pendulum_rows_acceleration(const void *params, const tl_real *restrict q, co
   tl_real tape2[6];
   TL_ALIGNED tl_real row[8] = {0};
   TL_ALIGNED tl_real row2[8] = {0};
-  tl_real c1 = 0.0;
+  tl_real c1 = TL_C(0.0);
   for (long i2 = 5; i2 >= 0; --i2) {
     /* pendulum.c:18: T += 0.5 * p->mass[k] * (vx * vx + vy * vy); */
     const tl_real t1 = p->mass[i2] + c1;
@@ -195,8 +195,8 @@ int pendulum_rows_acceleration(const void *params, const tl_real *restrict q, co
     row[i2] = t3;
     row2[i2] = t4;
   }
-  tl_real c2 = 0.0;
-  tl_real c3 = 0.0;
+  tl_real c2 = TL_C(0.0);
+  tl_real c3 = TL_C(0.0);
   for (long i2 = 0; i2 < 6; ++i2) {
     /* pendulum.c:15: vx += p->length[k] * c * qd[k]; */
     const tl_real t5 = c2 - p->length[i2] * sines[i2] * qd[i2] * qd[i2];
@@ -207,9 +207,9 @@ int pendulum_rows_acceleration(const void *params, const tl_real *restrict q, co
     c2 = t5;
     c3 = t6;
   }
-  tl_real c4 = 0.0;
-  tl_real c5 = 0.0;
-  tl_real c6 = 0.0;
+  tl_real c4 = TL_C(0.0);
+  tl_real c5 = TL_C(0.0);
+  tl_real c6 = TL_C(0.0);
   for (long i2 = 5; i2 >= 0; --i2) {
     /* pendulum.c:15 */
     const tl_real t7 = p->length[i2] * cosines[i2];
@@ -280,3 +280,19 @@ const eom_model pendulum_rows_model = {
   .motion = pendulum_rows_motions,
   .nmotion = 1,
 };
+
+static const eom_parameter pendulum_rows_member[] = {
+  EOM_MEMBER(struct pendulum, n, INTEGER, "number of links, 1..PENDULUM_MAX_LINKS"),
+  EOM_MEMBER(struct pendulum, g, REAL, "gravity, m/s^2"),
+  EOM_MEMBER_ARRAY(struct pendulum, mass, 64, REAL, "mass at the end of each link, kg"),
+  EOM_MEMBER_ARRAY(struct pendulum, length, 64, REAL, "length of each link, m"),
+};
+
+const eom_description pendulum_rows_description = {EOM_DESCRIPTION_VERSION, sizeof(eom_model), sizeof(eom_motion), &pendulum_rows_model, pendulum_rows_member, 4, NULL};
+
+#ifdef EOM_SHARED_MODEL /* the model of a shared object */
+const eom_description *eom_shared_model(void)
+{
+  return &pendulum_rows_description;
+}
+#endif

@@ -2,13 +2,14 @@
 #ifndef PENDULUM_ROWS_TL_H
 #define PENDULUM_ROWS_TL_H
 
-#include "eom/model.h"
+#include "eom/description.h"
 
 #ifdef __cplusplus
 extern "C" {
 #endif
 
 extern const eom_model pendulum_rows_model;
+extern const eom_description pendulum_rows_description;
 
 /* Its motion with n = 6: what the functions compute is said in eom/motion.h. */
 extern const eom_motion pendulum_rows_motion;

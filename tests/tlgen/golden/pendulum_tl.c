@@ -5,9 +5,9 @@
 
 struct pendulum {
   int n;
-  double g;
-  double mass[64];
-  double length[64];
+  tl_real g;
+  tl_real mass[64];
+  tl_real length[64];
 };
 
 /* pendulum_lagrangian, pendulum.c:6. */
@@ -22,19 +22,19 @@ static void pendulum_lagrangian_tl(tl_ctx *cx, tl_real *result, const tl_real *q
   /* pendulum.c:7: double vx = 0.0, vy = 0.0; */
   cx->line = 7;
   tl_real *const vx = frame;
-  tl_const(cx, vx, 0.0);
+  tl_const(cx, vx, TL_C(0.0));
   tl_real *const vy = frame + nc;
-  tl_const(cx, vy, 0.0);
+  tl_const(cx, vy, TL_C(0.0));
   /* pendulum.c:8: double height = 0.0; */
   cx->line = 8;
   tl_real *const height = frame + 2*nc;
-  tl_const(cx, height, 0.0);
+  tl_const(cx, height, TL_C(0.0));
   /* pendulum.c:9: double T = 0.0, V = 0.0; */
   cx->line = 9;
   tl_real *const T = frame + 3*nc;
-  tl_const(cx, T, 0.0);
+  tl_const(cx, T, TL_C(0.0));
   tl_real *const V = frame + 4*nc;
-  tl_const(cx, V, 0.0);
+  tl_const(cx, V, TL_C(0.0));
   (void)t[0];
   for (int k = 0; k < p->n; k++) {
     /* pendulum.c:13: double s = sin(q[k]), c = cos(q[k]); */
@@ -58,7 +58,7 @@ static void pendulum_lagrangian_tl(tl_ctx *cx, tl_real *result, const tl_real *q
     tl_mul(cx, tmp1, vx, vx);
     tl_mul(cx, tmp2, vy, vy);
     tl_add(cx, tmp0, tmp1, tmp2);
-    tl_axpy(cx, T, 0.5 * p->mass[k], tmp0);
+    tl_axpy(cx, T, TL_C(0.5) * p->mass[k], tmp0);
     /* pendulum.c:19: V += p->mass[k] * p->g * height; */
     cx->line = 19;
     tl_axpy(cx, V, p->mass[k] * p->g, height);
@@ -102,3 +102,19 @@ const eom_model pendulum_model = {
   .nonholonomic = NULL,
   .nnonholonomic = 0,
 };
+
+static const eom_parameter pendulum_member[] = {
+  EOM_MEMBER(struct pendulum, n, INTEGER, "number of links, 1..PENDULUM_MAX_LINKS"),
+  EOM_MEMBER(struct pendulum, g, REAL, "gravity, m/s^2"),
+  EOM_MEMBER_ARRAY(struct pendulum, mass, 64, REAL, "mass at the end of each link, kg"),
+  EOM_MEMBER_ARRAY(struct pendulum, length, 64, REAL, "length of each link, m"),
+};
+
+const eom_description pendulum_description = {EOM_DESCRIPTION_VERSION, sizeof(eom_model), 0, &pendulum_model, pendulum_member, 4, NULL};
+
+#ifdef EOM_SHARED_MODEL /* the model of a shared object */
+const eom_description *eom_shared_model(void)
+{
+  return &pendulum_description;
+}
+#endif

@@ -43,7 +43,7 @@ public:
     std::ofstream out(stem + ".c");
     out << "#include <math.h>\n#include <stdbool.h>\n#include <stddef.h>\n";
     for (const std::string &source : args_.options.sources) out << "#include \"" << source << "\"\n";
-    out << code;
+    out << "typedef double tl_real;\n#define TL_C(x) x\n#define TL_LIBM(name) name\n" << code; // of which tables are made
     out.close();
     std::string command = args_.compiler + " -w -O1 -ffp-contract=off -shared -fPIC -o " + stem + ".so " + stem + ".c " + args_.with;
     for (const std::string &arg : args_.options.compilerArgs) command += " '" + arg + "'";

@@ -58,7 +58,7 @@ static double mass_matrix(int n, int i, int j) {
 }
 
 typedef struct results {
-  double M[MOST * MOST], Q[MOST], r[MOST], momentum[MOST], lagrangian, energy, solved[MOST], r_y[2 * MOST * MOST], qdd_y[2 * MOST * MOST];
+  double M[MOST * MOST], Q[MOST], r[MOST], momentum[MOST], rate[MOST], lagrangian, energy, solved[MOST], r_y[2 * MOST * MOST], qdd_y[2 * MOST * MOST];
   double r_w[MOST], dqdd[MOST];
 } results;
 
@@ -79,6 +79,7 @@ static void check(int n) {
   assert_near(a->r, residual, n);
   assert_near(b->r, residual, n);
   assert_near(b->momentum, a->momentum, n);
+  assert_near(b->rate, a->rate, n);
   assert_close(b->lagrangian, a->lagrangian, ROUNDING, 0);
   assert_close(b->energy, a->energy, ROUNDING, 0);
   assert_near(b->solved, a->solved, n);
@@ -102,7 +103,7 @@ static void check(int n) {
     eom_parts parts = {.M = (to)->M, .Q = (to)->Q};                                                                                    \
     assert_int_equal(name##_simulate(&rods, q, qd, 0, &parts, work), 0);                                                               \
     assert_int_equal(name##_residual(&rods, q, qd, 0, qdd, (to)->r, work), 0);                                                         \
-    assert_int_equal(name##_energy(&rods, q, qd, 0, (to)->momentum, &(to)->lagrangian, &(to)->energy, work), 0);                       \
+    assert_int_equal(name##_energy(&rods, q, qd, 0, (to)->momentum, (to)->rate, &(to)->lagrangian, &(to)->energy, work), 0);           \
     assert_int_equal(name##_linearise(&rods, q, qd, 0, qdd, NULL, (to)->r_y, NULL, work), 0);                                          \
     assert_int_equal(name##_tangent(&rods, q, qd, 0, qdd, NULL, 1, w, (to)->r_w, NULL, work), 0);                                      \
     assert_int_equal(name##_acceleration(&rods, q, qd, 0, (to)->solved, work), 0);                                                     \

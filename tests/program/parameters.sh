@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# parameters.sh PROGRAM MODEL: every kind of parameter is set, shown and bounded as its type says, and the model reads it there.
+. "$(dirname "$0")/../examples/expect.sh"
+program=$1 model=$2
+cat >all.txt <<'EOF'
+spring[0].stiffness = 4      # one member of an array of structs
+spring[0].rest = 0.5 0.25
+spring[1].stiffness = 9
+spring[1].rest[1] = -1
+steps = -2
+loaded = 1
+code = 65535
+sign = -128
+big = -4503599627370496
+table[1] = 1 2 3
+p.q = 2                      # the mass, though coordinates are q as well
+x = 1
+y_dot = 2
+EOF
+run 0 "$program" info "$model" --start all.txt
+for line in 'spring\[0\].stiffness +double   = 4$' 'spring\[0\].rest\[2\] +float    = 0.5 0.25$' 'spring\[1\].rest\[2\] +float    = 0 -1$' 'steps +integer  = -2$' \
+  'loaded +bool     = 1$' 'code +unsigned = 65535$' 'sign +integer  = -128$' 'big +integer  = -4503599627370496$|big +integer  = -4.5' \
+  'table\[0\]\[3\] +double   = 0 \(all\)$' 'table\[1\]\[3\] +double   = 1 2 3$' 'q +double   = 2$' 'label +cannot be set   for people$'; do
+  says scratch/out.txt "^  $line"
+done
+says scratch/out.txt '^Coordinates: 2: x, y$'
+
+# 2 x'' = -4 (x - 0.5) + 3 (-2) = -8 at x = 1; 2 y'' = -9 (y + 1) = -9 at y = 0.
+run 0 "$program" linearise "$model" --start all.txt
+says scratch/out.txt '^  x += 1 +x_dot += 0 +acceleration -4$'
+says scratch/out.txt '^  y += 0 +y_dot += 2 +acceleration -4.5$'
+
+refused() { # refused NAME=VALUE TEXT
+  run 2 "$program" run "$model" --start all.txt --set "$1"
+  says scratch/err.txt "^eom: --set .*: .*$2"
+}
+refused loaded=2 'must be 0 or 1'
+refused code=-1 'too small for the type'
+refused code=65536 'too large for the type'
+refused sign=128 'too large for the type'
+refused sign=-129 'too small for the type'
+refused big=9223372036854775808 'too large for the type'
+refused steps=0.5 'must be a whole number'
+refused 'spring[0].rest[0]=1e39' 'too large for a float'
+refused label=1 'cannot be set by a text'
+refused 'table[2]=1' "unknown name 'table"
+refused z_dot=1 "unknown name 'z_dot'; did you mean x_dot"
+
+# Formulas: what stands before what, functions, names.
+run 0 "$program" run "$model" --start all.txt --t-end 1e-9 --column 'a=2^3^2-2*3/4-(1-2)-3' --column 'b=-2^2' --column 'c=atan2(1,-1)/pi' \
+  --column 'd=table[1][2]+spring[0].rest[1]*q[0]+x' --column 'e=hypot(3,4)*1e-1+max(steps,-3)' --csv c.csv
+[ "$(sed -n 2p c.csv | rev | cut -d, -f 1-5 | rev)" = 508.5,-4,0.75,4.25,-1.5 ] || fail "the formulas give $(sed -n 2p c.csv)"
