@@ -28,7 +28,7 @@ static const manual text = {
         "  pendulum                                   two links, 100 s\n"
         "  pendulum --links 4 --csv p4.csv --plot p4.svg\n"
         "  pendulum --scheme paper --t-end 10         the paper's scheme, which soon overflows; with --step 0.0005 it does not\n"
-        "  pendulum --table1 --figures out            Table 1 and all figures; a few minutes\n"
+        "  pendulum --table1 --figures out            Table 1 and all figures; half a minute\n"
         "  pendulum --table1 --t-end 100              the same in seconds, with wider intervals\n",
 };
 

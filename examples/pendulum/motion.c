@@ -2,7 +2,6 @@
 #include "motion.h"
 
 #include "host/interrupt.h"
-#include "pendulum_tl.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -37,7 +36,7 @@ motion motion_do(const run_request *ask, double step, double t_end, double bound
   double y[2 * PENDULUM_MAX_LINKS] = {ask->theta0};
   double *work = malloc(eom_integrator_size(&eom_dp5, dim) * sizeof *work);
 
-  if (work != NULL) m.status = eom_system_create(&w.sys, &pendulum_model, &p, &options);
+  if (work != NULL) m.status = eom_system_create(&w.sys, run_model(ask->links), &p, &options);
   if (work != NULL && m.status == EOM_OK) {
     eom_integrator_init(&it, &eom_dp5, eom_rhs, w.sys, dim, 0.0, y, step, work);
     w.energy0 = energy_of(&w, &it);

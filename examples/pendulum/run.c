@@ -3,6 +3,12 @@
 
 #include "host/interrupt.h"
 #include "host/message.h"
+#include "pendulum1_tl.h"
+#include "pendulum2_tl.h"
+#include "pendulum3_tl.h"
+#include "pendulum4_tl.h"
+#include "pendulum5_tl.h"
+#include "pendulum6_tl.h"
 #include "pendulum_tl.h"
 
 #include <math.h>
@@ -24,6 +30,12 @@ struct pendulum run_pendulum(int links) {
   struct pendulum p = {.n = links, .g = g};
   for (int k = 0; k < links; k++) p.mass[k] = p.length[k] = 1.0;
   return p;
+}
+
+const eom_model *run_model(int links) {
+  static const eom_model *const sized[] = {&pendulum1_model, &pendulum2_model, &pendulum3_model,
+                                           &pendulum4_model, &pendulum5_model, &pendulum6_model};
+  return links <= (int)(sizeof sized / sizeof sized[0]) ? sized[links - 1] : &pendulum_model;
 }
 
 /* How many parts of at most the given length make up the whole. */
@@ -133,7 +145,7 @@ void run_do(run *r) {
   r->end = RUN_FAILED;
   r->status = EOM_NO_MEMORY;
   r->rows = calloc((size_t)row_count(&r->ask) + 1, (size_t)run_width(r) * sizeof *r->rows);
-  if (r->rows != NULL) r->status = eom_system_create(&sys, &pendulum_model, &p, NULL);
+  if (r->rows != NULL) r->status = eom_system_create(&sys, run_model(r->ask.links), &p, NULL);
   if (r->rows != NULL && r->status == EOM_OK) {
     double tolerance = first_tolerance;
     attempt(r, sys, tolerance);

@@ -63,6 +63,9 @@ int run_width(const run *r);
 /* The pendulum of this demonstration: n links of 1 kg and 1 m, g = 9.81 m/s^2. */
 struct pendulum run_pendulum(int links);
 
+/* The model of as many links: with motion functions up to the size of Table 1, by calls beyond. */
+const eom_model *run_model(int links);
+
 /* Computes the run in r->ask and fills the rest. Thread-safe for different runs. */
 void run_do(run *r);
 
