@@ -4,6 +4,7 @@
 #include "host/options.h"
 #include "host/progress.h"
 #include "measure.h"
+#include "sensitivity.h"
 
 #include <math.h>
 #include <stdlib.h>
@@ -12,14 +13,16 @@
 const char program[] = "precision";
 
 static const manual text = {
-    .operands = "scenes | methods | time | judge | energy ",
+    .operands = "scenes | methods | time | judge | energy | sensitivity ",
     .summary = "Measures for the report of speed against error, as CSV on standard output.\n"
                "  scenes   what other programs need to follow the scenes: a line of JSON for each\n"
                "  methods  the names of this build's methods of integration\n"
                "  time     CPU time and true error at the end of each scene, by every method and setting of this build\n"
                "  judge    reads rows `scene,contender,method,setting,cpu_s,cpu_median_s,steps,evaluations,state..` of other programs\n"
                "           from standard input and prints them with their errors in the place of the state\n"
-               "  energy   the largest energy error so far, over a long time\n",
+               "  energy   the largest energy error so far, over a long time\n"
+               "  sensitivity  reads references as tests/data/sensitivity.txt has them from standard input and prints the errors of\n"
+               "           derivatives of motions, and of differences of motions, at many tolerances\n",
     .examples = "  precision time --scene kepler05\n"
                 "  precision time --quick      two settings of each method, once; seconds\n",
 };
@@ -270,12 +273,15 @@ static int do_energy(const command *c) {
   return interrupted() ? EXIT_INTERRUPTED : EXIT_DONE;
 }
 
+static int do_sensitivity(const command *c) { return sensitivity(stdin, c->quick); }
+
 /* ---- the program ---- */
 
 static const struct {
   const char *name;
   int (*run)(const command *c);
-} actions[] = {{"scenes", do_scenes}, {"methods", do_methods}, {"time", do_time}, {"judge", do_judge}, {"energy", do_energy}};
+} actions[] = {{"scenes", do_scenes}, {"methods", do_methods}, {"time", do_time},
+               {"judge", do_judge},   {"energy", do_energy},   {"sensitivity", do_sensitivity}};
 
 int main(int argc, char **argv) {
   command c = {.quick = false};
@@ -293,5 +299,5 @@ int main(int argc, char **argv) {
     const int status = actions[i].run(&c);
     return finish_stdout() == 0 ? status : EXIT_FAILED;
   }
-  usage_error("what to do: scenes, methods, time, judge or energy");
+  usage_error("what to do: scenes, methods, time, judge, energy or sensitivity");
 }

@@ -1,8 +1,8 @@
 /* precision_report: the page that scripts/report makes of what was measured. */
+#include "report.h"
 #include "host/message.h"
 #include "host/page.h"
 #include "scenes.h"
-#include "table.h"
 #include "work.h"
 
 #include <math.h>
@@ -12,14 +12,7 @@
 
 const char program[] = "precision_report";
 
-enum { PATH_SIZE = 4096, TEXT_SIZE = 256, LINE_SIZE = 4096, MOST_SERIES = 64, LINKS = 6, SHOWN = 120 };
-
-/* A file of the folder of results. */
-static table read_file(const char *folder, const char *name) {
-  char path[PATH_SIZE];
-  snprintf(path, sizeof path, "%s/%s", folder, name);
-  return table_read(path);
-}
+enum { PATH_SIZE = 4096, TEXT_SIZE = 256, LINE_SIZE = 4096, MOST_SERIES = 64 };
 
 /* ---- how the curves look ---- */
 
@@ -178,14 +171,14 @@ static void write_levels(page *p, const work_curve *curves, int count) {
   page_table_end(p);
 }
 
-/* The shortest time of another package as a multiple of ours; NaN where one of both does not get there. */
-static double closest(const work_curve *curves, int count, double error) {
+/* The shortest time of another package as a multiple of ours, and who it is; NaN where one of both does not get there. */
+static double closest(const work_curve *curves, int count, double error, int *who) {
   const int best = work_fastest(curves, count, is_ours, error);
   double ratio = (double)NAN;
   for (int r = 0; r < RIVALS && best >= 0; r++) {
     const int other = is_rival[r] == is_hand ? -1 : work_fastest(curves, count, is_rival[r], error);
     const double here = other >= 0 ? work_time(&curves[other], error) / work_time(&curves[best], error) : (double)NAN;
-    if (!isnan(here) && !(here >= ratio)) ratio = here;
+    if (!isnan(here) && !(here >= ratio)) ratio = here, *who = r;
   }
   return ratio;
 }
@@ -204,28 +197,42 @@ static void print_markdown(const char *const *cells, int count) {
   puts("|");
 }
 
-/* On the page, and on standard output. */
+/* "heyoka, CasADi": those that are ahead of us at some error. */
+static void list_rivals(char *text, const bool *ahead) {
+  int length = 0;
+  text[0] = '\0';
+  for (int r = 0; r < RIVALS; r++)
+    if (ahead[r]) length += snprintf(text + length, (size_t)(TEXT_SIZE - length), "%s%s", length > 0 ? ", " : "", rival_titles[r]);
+}
+
+/* On the page, and on standard output, where there is room for one more column. */
 static void write_overview(page *p, work_curve *curves, const table *tables) {
-  char text[LEVELS][TEXT_SIZE];
-  const char *cells[1 + LEVELS] = {"scene"};
+  char text[LEVELS + 1][TEXT_SIZE];
+  const char *cells[2 + LEVELS] = {"scene"};
   for (int k = 0; k < LEVELS; k++) {
     snprintf(text[k], sizeof text[k], "1e-%d", LOOSEST + k);
     cells[1 + k] = text[k];
   }
-  print_markdown(cells, 1 + LEVELS);
-  for (int i = 0; i <= LEVELS; i++) fputs("|---", stdout);
+  cells[1 + LEVELS] = "ahead";
+  print_markdown(cells, 2 + LEVELS);
+  for (int i = 0; i < 2 + LEVELS; i++) fputs("|---", stdout);
   puts("|");
   page_table(p, "The fastest other package at each error: its time as a multiple of ours; below 1 it is ahead", "lrrrrrrrr", cells);
   for (int i = 0; i < precision_scene_count; i++) {
     const int count = read_curves(curves, tables, &precision_scenes[i]);
+    bool ahead[RIVALS] = {false};
+    int who = 0;
     cells[0] = precision_scenes[i].title;
     for (int k = 0; k < LEVELS; k++) {
-      const double ratio = closest(curves, count, pow(10.0, -LOOSEST - k));
+      const double ratio = closest(curves, count, pow(10.0, -LOOSEST - k), &who);
+      if (ratio < 1.0) ahead[who] = true;
       text[k][0] = '\0';
       if (!isnan(ratio)) snprintf(text[k], sizeof text[k], ratio < 1.0 ? "%.2f" : "%.1f", ratio);
     }
+    list_rivals(text[LEVELS], ahead);
+    cells[1 + LEVELS] = text[LEVELS];
     page_row(p, cells);
-    print_markdown(cells, 1 + LEVELS);
+    print_markdown(cells, 2 + LEVELS);
   }
   page_table_end(p);
 }
@@ -234,7 +241,7 @@ static void write_work(page *p, const char *folder) {
   static const char *const names[NAMES] = {"own.csv", "hand.csv", "heyoka.csv", "casadi.csv", "scipy.csv"};
   static work_curve curves[WORK_MOST_CURVES];
   table tables[NAMES];
-  for (int i = 0; i < NAMES; i++) tables[i] = read_file(folder, names[i]);
+  for (int i = 0; i < NAMES; i++) tables[i] = report_table(folder, names[i]);
   page_heading(p, 2, "Time against error");
   page_text(
       p,
@@ -260,42 +267,16 @@ static void write_work(page *p, const char *folder) {
   for (int i = 0; i < NAMES; i++) table_free(&tables[i]);
 }
 
-/* ---- curves of any table ---- */
-
-/* The points of a table whose rows pass a test, in two columns that are to be freed. */
-typedef struct points {
-  double *x, *y;
-  int count;
-} points;
-
-typedef struct row_key {
-  int column;
-  const char *value;
-} row_key;
-
-static points points_of(const table *t, const row_key *keys, int nkey, const char *x, const char *y) {
-  points z = {.x = malloc(((size_t)t->rows + 1) * sizeof(double)), .y = malloc(((size_t)t->rows + 1) * sizeof(double))};
-  const int cx = table_column(t, x), cy = table_column(t, y);
-  for (int row = 0; row < t->rows && z.x != NULL && z.y != NULL; row++) {
-    bool fits = true;
-    for (int k = 0; k < nkey; k++) fits = fits && strcmp(table_cell(t, row, keys[k].column), keys[k].value) == 0;
-    if (!fits) continue;
-    z.x[z.count] = table_number(t, row, cx);
-    z.y[z.count++] = table_number(t, row, cy);
-  }
-  return z;
-}
-
 /* ---- energy ---- */
 
 static void draw_energy(page *p, const table *t, const precision_scene *of) {
   const int names_at = table_column(t, "scene"), method = table_column(t, "method"), setting = table_column(t, "setting");
   page_series series[MOST_SERIES];
-  points data[MOST_SERIES];
+  report_curve data[MOST_SERIES];
   char names[MOST_SERIES][TEXT_SIZE], title[TEXT_SIZE];
   int count = 0;
   for (int row = 0; row < t->rows && count < MOST_SERIES; row++) {
-    const row_key keys[3] = {{names_at, of->name}, {method, table_cell(t, row, method)}, {setting, table_cell(t, row, setting)}};
+    const report_key keys[3] = {{names_at, of->name}, {method, table_cell(t, row, method)}, {setting, table_cell(t, row, setting)}};
     if (strcmp(table_cell(t, row, names_at), of->name) != 0) continue;
     snprintf(names[count], sizeof names[count], "%s, %s", keys[1].value, keys[2].value);
     bool known = false;
@@ -305,7 +286,7 @@ static void draw_energy(page *p, const table *t, const precision_scene *of) {
     char as_timed[TEXT_SIZE];
     snprintf(as_timed, sizeof as_timed, "%s%s", keys[1].value, fixed ? " fixed" : "");
     const look *l = look_of("own", as_timed) != NULL ? look_of("own", as_timed) : look_of("sundials", as_timed);
-    data[count] = points_of(t, keys, 3, "t", "energy_error");
+    data[count] = report_points(t, keys, 3, "t", "energy_error");
     series[count] = (page_series){.name = names[count], .x = data[count].x, .y = data[count].y, .count = data[count].count, .look = 15};
     if (l != NULL) series[count].look = l->number, series[count].dashed = l->dashed, series[count].bold = l->bold;
     count++;
@@ -317,185 +298,17 @@ static void draw_energy(page *p, const table *t, const precision_scene *of) {
                               .y = {.label = "largest energy error so far, J", .log = true},
                               .series = series,
                               .count = count});
-  for (int i = 0; i < count; i++) free(data[i].x), free(data[i].y);
+  for (int i = 0; i < count; i++) report_free(&data[i]);
 }
 
 static void write_energy(page *p, const char *folder) {
-  table t = read_file(folder, "energy.csv");
+  table t = report_table(folder, "energy.csv");
   if (t.rows > 0) {
     page_heading(p, 2, "Energy over time");
     page_text(p, "|E − E₀| over a long time, by steps that each method chooses at one tolerance, and by equal steps. What a method "
                  "loses at each "
                  "step adds up; a symplectic one keeps it within bounds.");
     for (int i = 0; i < precision_scene_count; i++) draw_energy(p, &t, &precision_scenes[i]);
-  }
-  table_free(&t);
-}
-
-/* ---- cost against N ---- */
-
-static const struct {
-  const char *contender, *title;
-  int look;
-  bool bold;
-} cost_curves[] = {
-    {"adjoint", "generated", 0, true},      {"adjoint-lanes", "generated, 8 states in a vector", 8, false},
-    {"hand", "by hand", 7, false},          {"casadi", "CasADi", 6, false},
-    {"heyoka", "heyoka", 3, false},         {"pinocchio", "Pinocchio", 2, false},
-    {"mujoco", "MuJoCo", 1, false},         {"adolc", "ADOL-C", 4, false},
-    {"dense", "the paper's way", 5, false},
-};
-enum { COST_CURVES = sizeof cost_curves / sizeof cost_curves[0] };
-
-/* Of each size the fastest build. Returns how many sizes there are. */
-static int cost_points(const table *t, const char *contender, const char *need, const char *way, double *n, double *ns) {
-  const int columns[] = {table_column(t, "contender"), table_column(t, "need"), table_column(t, "way"), table_column(t, "model")};
-  const char *const wanted[] = {contender, need, way, "pendulum"};
-  const int size = table_column(t, "N"), time = table_column(t, "min_ns");
-  int count = 0;
-  for (int row = 0; row < t->rows; row++) {
-    bool fits = true;
-    for (int k = 0; k < 4; k++) fits = fits && strcmp(table_cell(t, row, columns[k]), wanted[k]) == 0;
-    const double here = table_number(t, row, size), took = table_number(t, row, time);
-    if (!fits || !isfinite(took)) continue;
-    int i = 0;
-    while (i < count && n[i] < here) i++;
-    if (i < count && n[i] == here) {
-      ns[i] = fmin(ns[i], took);
-      continue;
-    }
-    if (count == WORK_MOST_POINTS) continue;
-    memmove(n + i + 1, n + i, (size_t)(count - i) * sizeof *n);
-    memmove(ns + i + 1, ns + i, (size_t)(count - i) * sizeof *ns);
-    n[i] = here, ns[i] = took;
-    count++;
-  }
-  return count;
-}
-
-static void draw_cost(page *p, const table *t, const char *need, const char *way, const char *title) {
-  static double n[COST_CURVES][WORK_MOST_POINTS + 1], ns[COST_CURVES][WORK_MOST_POINTS + 1];
-  page_series series[COST_CURVES];
-  int count = 0;
-  for (int i = 0; i < COST_CURVES; i++) {
-    const int found = cost_points(t, cost_curves[i].contender, need, way, n[i], ns[i]);
-    if (found > 0)
-      series[count++] = (page_series){.name = cost_curves[i].title,
-                                      .x = n[i],
-                                      .y = ns[i],
-                                      .count = found,
-                                      .style = PAGE_LINE_POINTS,
-                                      .look = cost_curves[i].look,
-                                      .bold = cost_curves[i].bold};
-  }
-  if (count > 0)
-    page_draw(p, &(page_plot){.title = title,
-                              .x = {.label = "links N", .log = true},
-                              .y = {.label = "ns per state", .log = true},
-                              .series = series,
-                              .count = count});
-}
-
-static void write_cost(page *p, const char *folder) {
-  table t = read_file(folder, "cost.csv");
-  if (t.rows > 0) {
-    page_heading(p, 2, "Cost against the number of links");
-    page_text(
-        p, "One evaluation for the pendulum of N links, the fastest build of each contender, each checked against quad precision, as "
-           "`bench/run` measures it. Independent states follow one another; where each waits for the last result, as in a simulation, "
-           "vectors of states do not help.");
-    draw_cost(p, &t, "F", "throughput", "Accelerations, independent states");
-    draw_cost(p, &t, "F", "latency", "Accelerations, each state waits for the last");
-    draw_cost(p, &t, "J", "throughput", "Accelerations and linearisation, independent states");
-    draw_cost(p, &t, "J", "latency", "Accelerations and linearisation, each state waits for the last");
-  }
-  table_free(&t);
-}
-
-/* ---- Lyapunov exponents ---- */
-
-static void write_lyapunov_table(page *p, const table *t) {
-  const int columns[] = {table_column(t, "N"),           table_column(t, "table1"),        table_column(t, "t"),
-                         table_column(t, "lambda_1"),    table_column(t, "interval_mean"), table_column(t, "interval_half_width"),
-                         table_column(t, "energy_error")};
-  page_table(p, NULL, "rrrrrr", (const char *const[]){"N", "Table 1, 1/s", "t, s", "λ₁(t), 1/s", "95 % interval", "energy error, J"});
-  for (int i = 0; i < t->rows; i++) {
-    char text[3][TEXT_SIZE];
-    const double mean = table_number(t, i, columns[4]), half = table_number(t, i, columns[5]);
-    snprintf(text[0], sizeof text[0], "%.5f", table_number(t, i, columns[3]));
-    snprintf(text[1], sizeof text[1], "%.3f .. %.3f", mean - half, mean + half);
-    snprintf(text[2], sizeof text[2], "%.1e", table_number(t, i, columns[6]));
-    page_row(p, (const char *const[]){table_cell(t, i, columns[0]), table_cell(t, i, columns[1]), table_cell(t, i, columns[2]), text[0],
-                                      text[1], text[2]});
-  }
-  page_table_end(p);
-}
-
-/* At most SHOWN points, the last one among them. */
-static void thin_out(points *z) {
-  const int each = (z->count + SHOWN - 1) / SHOWN;
-  int kept = 0;
-  for (int i = z->count == 0 ? 0 : (z->count - 1) % each; i < z->count; i += each, kept++) z->x[kept] = z->x[i], z->y[kept] = z->y[i];
-  z->count = kept;
-}
-
-/* lambda_1.. of one number of links over time, the interval of the first, and what the paper's Table 1 has for it. */
-static void draw_exponents(page *p, const char *folder, const table *summary, int row) {
-  char file[TEXT_SIZE], title[TEXT_SIZE], names[LINKS][TEXT_SIZE];
-  const int n = atoi(table_cell(summary, row, table_column(summary, "N")));
-  const double end = table_number(summary, row, table_column(summary, "t")),
-               printed = table_number(summary, row, table_column(summary, "table1")),
-               mean = table_number(summary, row, table_column(summary, "interval_mean")),
-               half = table_number(summary, row, table_column(summary, "interval_half_width"));
-  const double ends[2] = {0.0, end}, means[2] = {mean, mean}, low[2] = {mean - half, mean - half}, high[2] = {mean + half, mean + half};
-  const double table1[2] = {printed, printed};
-  snprintf(file, sizeof file, "lyapunov/N%d.csv", n);
-  table t = read_file(folder, file);
-  points data[LINKS] = {{NULL, NULL, 0}};
-  page_series series[LINKS + 2];
-  int count = 0;
-  double most = printed;
-  series[count++] =
-      (page_series){.name = "λ₁: interval of 95 %", .x = ends, .y = means, .low = low, .high = high, .count = 2, .look = 5};
-  series[count++] =
-      (page_series){.name = "the paper's Table 1", .x = ends, .y = table1, .count = 2, .look = 1, .dashed = true, .bold = true};
-  for (int i = 0; i < n && i < LINKS && t.rows > 0; i++) {
-    char column[TEXT_SIZE];
-    snprintf(column, sizeof column, "lambda_%d", i + 1);
-    snprintf(names[i], sizeof names[i], "λ%s", ((const char *const[]){"₁", "₂", "₃", "₄", "₅", "₆"})[i]);
-    data[i] = points_of(&t, NULL, 0, "t", column);
-    thin_out(&data[i]);
-    series[count++] = (page_series){.name = names[i],
-                                    .x = data[i].x,
-                                    .y = data[i].y,
-                                    .count = data[i].count,
-                                    .bold = i == 0,
-                                    .look = ((const int[]){0, 2, 3, 4, 6, 7})[i]};
-  }
-  for (int k = data[0].count / 20; k < data[0].count; k++) most = fmax(most, data[0].y[k]); /* the first seconds wander widely */
-  snprintf(title, sizeof title, "%d link%s", n, n > 1 ? "s" : "");
-  page_draw(
-      p, &(page_plot){
-             .title = title,
-             .x = {.label = "time t, s"},
-             .y = {.label = "running exponents, 1/s", .least = fmin(-0.1 * most, mean - half), .most = 1.1 * fmax(most, mean + half)},
-             .series = series,
-             .count = count});
-  for (int i = 0; i < LINKS; i++) free(data[i].x), free(data[i].y);
-  table_free(&t);
-}
-
-static void write_lyapunov(page *p, const char *folder) {
-  table t = read_file(folder, "lyapunov/table1.csv");
-  if (t.rows > 0) {
-    page_heading(p, 2, "Lyapunov exponents");
-    page_text(
-        p,
-        "The paper's pendulum of N links from 75 degrees: running exponents with Q re-orthonormalised and a step that keeps the energy "
-        "(`pendulum --table1`), beside Table 1 and, in place of its Figs 3 to 5, over the same time. Table 1 holds for N = 1 and 2 "
-        "only.");
-    write_lyapunov_table(p, &t);
-    for (int i = 0; i < t.rows; i++) draw_exponents(p, folder, &t, i);
   }
   table_free(&t);
 }
@@ -527,8 +340,9 @@ int main(int argc, char **argv) {
   write_facts(&p, folder);
   write_work(&p, folder);
   write_energy(&p, folder);
-  write_cost(&p, folder);
-  write_lyapunov(&p, folder);
+  report_sensitivity(&p, folder);
+  report_cost(&p, folder);
+  report_lyapunov(&p, folder);
   write_notes(&p, folder);
   return page_close(&p) == 0 && finish_stdout() == 0 ? EXIT_DONE : EXIT_FAILED;
 }

@@ -4,7 +4,9 @@
 int csv_begin(output *o, const char *path, int links) {
   if (output_open(o, path) != 0) return -1;
   fputs("t", o->file);
-  for (int i = 1; i <= 2 * links; i++) fprintf(o->file, ",lambda_%d", i);
+  static const char *const columns[] = {"lambda", "mean", "half_width"};
+  for (int k = 0; k < 3; k++)
+    for (int i = 1; i <= 2 * links; i++) fprintf(o->file, ",%s_%d", columns[k], i);
   fputs(",energy_error,orthogonality_error\n", o->file);
   return output_flush(o);
 }

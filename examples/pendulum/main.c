@@ -89,8 +89,9 @@ static command read_command(int argc, char **argv) {
        .kind = OPTION_TEXT,
        .value = &c.csv,
        .operand = "FILE",
-       .help = "write the rows: t, lambda_1..lambda_2N (1/s), energy_error |E-E0| (J),\n"
-               "orthogonality_error max|Q'Q-I|; with --table1 the table"},
+       .help = "write the rows: t, lambda_1..lambda_2N (1/s), mean_1.., half_width_1.. of their\n"
+               "95 % intervals so far, energy_error |E-E0| (J), orthogonality_error max|Q'Q-I|;\n"
+               "with --table1 the table"},
       {.name = "--plot",
        .kind = OPTION_TEXT,
        .value = &c.plot,

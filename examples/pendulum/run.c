@@ -24,7 +24,7 @@ static const double first_tolerance = 1e-11; /* of chosen steps, rad and rad/s, 
 static const double tighter = 0.1;           /* and this part of it where the energy error turned out too large */
 static const double marks_per_row = 4.0;     /* where steps are chosen */
 
-int run_width(const run *r) { return 2 * r->ask.links + 3; }
+int run_width(const run *r) { return 6 * r->ask.links + 3; }
 
 struct pendulum run_pendulum(int links) {
   struct pendulum p = {.n = links, .g = g};
@@ -64,6 +64,10 @@ static void keep_row(run *r, const eom_lyapunov *ly) {
   double *row = r->rows + r->nrow++ * width;
   row[0] = r->t;
   eom_lyapunov_exponents(ly, row + 1);
+  for (int i = 0; i < ly->k; i++) {
+    double *mean = row + 1 + ly->k + i, *half_width = mean + ly->k;
+    if (eom_lyapunov_interval(ly, i, mean, half_width) == 0) *half_width = HUGE_VAL;
+  }
   row[width - 2] = r->energy_error;
   row[width - 1] = r->orthogonality_error;
 }

@@ -40,7 +40,8 @@ typedef struct run {
   _Atomic double done; /* part of the run that is done, 0..1; any thread may look */
 
   /* filled by run_do */
-  double *rows; /* nrow rows of run_width numbers: t, lambda_1..lambda_2N, |E-E0|, |Q'Q-I| */
+  double *rows; /* nrow rows of run_width numbers: t, lambda_1..lambda_2N, the means and half-widths of their intervals by then (the
+                   half-width infinite where there is none), |E-E0|, |Q'Q-I| */
   long nrow;
   run_end end;
   eom_status status;

@@ -115,7 +115,7 @@ static void tick_text(FILE *file, const scale *s, double u) {
   const double mantissa = fabs(x) * pow(10.0, -power);
   if (x < 0.0) fputs("−", file);
   if (power >= -2 && power <= 4) {
-    fprintf(file, "%.4g", fabs(x));
+    fprintf(file, "%.5g", fabs(x));
     return;
   }
   if (fabs(mantissa - 1.0) > 1e-9) fprintf(file, "%.3g·", mantissa);

@@ -13,7 +13,7 @@ case $scheme in
 esac
 for links in $sizes; do
   run 0 "$program" --links $links --scheme "$scheme" --step $step --t-end $last --every 1 --csv run.csv
-  [ "$(head -1 run.csv)" = "t$(printf ',lambda_%d' $(seq $((2 * links)))),energy_error,orthogonality_error" ] || fail "header: $(head -1 run.csv)"
+  [ "$(head -1 run.csv)" = "t$(for name in lambda mean half_width; do printf ",${name}_%d" $(seq $((2 * links))); done),energy_error,orthogonality_error" ] || fail "header: $(head -1 run.csv)"
   awk -v N=$links -v last=$last -v tolerance=$tolerance '
     FNR == NR { if ($1 == N && $2 <= last) for (i = 1; i <= 2 * N; i++) { wanted[$2 + 0, i] = $(i + 2); count++ }; next }
     FNR > 1 {

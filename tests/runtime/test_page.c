@@ -114,6 +114,22 @@ static void decades_are_equally_far_apart(void **state) {
   assert_true(x[0] < x[3] && y[0] > y[3]); /* y grows upwards, from the upper edge in SVG */
 }
 
+static void draw_thousands(page *p) {
+  const double x[] = {100.0, 1000.0, 10000.0, 99999.0};
+  const page_series s = {.name = "thousands", .x = x, .y = x, .count = 4};
+  page_draw(p, &(page_plot){.title = "t", .x = {.label = "x", .log = true}, .y = {.label = "y"}, .series = &s, .count = 1});
+}
+
+/* Whole numbers below a hundred thousand are written out, none in the way of C. */
+static void ticks_read_well(void **state) {
+  (void)state;
+  write_page(draw_thousands);
+  (void)after(text, ">1000</text>");
+  (void)after(text, ">10000</text>");
+  const char *end = strstr(text, "class=\"key\""), *power = strstr(text, "e+");
+  assert_true(power == NULL || power > end);
+}
+
 static void draw_gaps(page *p) {
   const double x[] = {1.0, 2.0, 3.0, 4.0, 5.0, 6.0}, y[] = {1.0, 2.0, (double)NAN, 0.0, (double)INFINITY, 3.0};
   const double low[] = {0.5, 1.0, (double)NAN, -1.0, 1.0, 2.0}, high[] = {2.0, 3.0, 4.0, 5.0, (double)INFINITY, 4.0};
@@ -174,11 +190,9 @@ static int remove_page(void **state) {
 
 int main(void) {
   const struct CMUnitTest tests[] = {
-      cmocka_unit_test(text_is_escaped),
-      cmocka_unit_test(decades_are_equally_far_apart),
-      cmocka_unit_test(what_an_axis_cannot_show_is_left_out),
-      cmocka_unit_test(only_the_range_is_shown),
-      cmocka_unit_test(a_folder_that_is_not_there),
+      cmocka_unit_test(text_is_escaped),         cmocka_unit_test(decades_are_equally_far_apart),
+      cmocka_unit_test(ticks_read_well),         cmocka_unit_test(what_an_axis_cannot_show_is_left_out),
+      cmocka_unit_test(only_the_range_is_shown), cmocka_unit_test(a_folder_that_is_not_there),
   };
   return cmocka_run_group_tests(tests, make_name, remove_page);
 }
