@@ -3,6 +3,7 @@
 
 #include "host/message.h"
 
+#include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
 #include <string.h>
@@ -100,11 +101,55 @@ void derivatives_close(derivatives *d) {
   *d = (derivatives){.count = 0};
 }
 
+/* Steps of a parameter, in parts of it, for the difference of fourth order: the error is this to the power of four, and rounding over
+ * it.
+ */
+static const double change = 1e-3;
+
+/* The start of column k as a function of its parameter, which sys reads anew: what was given, brought onto the constraints. y: 2n. */
+static eom_status moved_start(derivatives *d, const setup *s, int k, double by, double *y) {
+  model m = s->model;
+  int i;
+  const eom_parameter *p = setup_parameter(s, d->name[k], &i);
+  eom_projection projection = setup_projection(s);
+  const int element = i < 0 ? 0 : i;
+  const double value = parameter_value(&m, p, element);
+  if (parameter_store(&m, p, element, value + by * (fabs(value) > 0.0 ? fabs(value) : 1.0)) != NULL) return EOM_BAD_OPTION;
+  memcpy(y, s->given != NULL ? s->given : s->q, 2 * (size_t)s->n * sizeof *y);
+  const eom_status status = eom_project(d->sys, y, y + s->n, s->t0, &projection);
+  parameter_store(&m, p, element, value);
+  return status;
+}
+
+/* Where constraints or what they weigh contain the parameter, the start that satisfies them depends on it: dy0/dp by a difference. */
+static eom_status start_column(derivatives *d, const setup *s, int k) {
+  static const double at[4] = {-2.0, -1.0, 1.0, 2.0}, weight[4] = {1.0 / 12.0, -8.0 / 12.0, 8.0 / 12.0, -1.0 / 12.0};
+  const int rows = 2 * s->n;
+  int i;
+  const eom_parameter *p = setup_parameter(s, d->name[k], &i);
+  const double value = p != NULL ? parameter_value(&s->model, p, i < 0 ? 0 : i) : (double)NAN;
+  const double unit = change * (fabs(value) > 0.0 ? fabs(value) : 1.0);
+  double *y = calloc((size_t)rows, sizeof *y);
+  eom_status status = y == NULL ? EOM_NO_MEMORY : isfinite(value) ? EOM_OK : EOM_BAD_OPTION;
+  for (int j = 0; j < 4 && status == EOM_OK; j++) {
+    status = moved_start(d, s, k, at[j] * change, y);
+    for (int row = 0; row < rows && status == EOM_OK; row++) d->z[rows + row * d->count + k] += weight[j] / unit * y[row];
+  }
+  free(y);
+  return status;
+}
+
 eom_status derivatives_start(derivatives *d, const setup *s) {
   const int rows = 2 * s->n;
   memset(d->z, 0, (size_t)d->columns.dim * sizeof *d->z);
   memcpy(d->z, s->q, (size_t)rows * sizeof *d->z);
   for (int k = 0; k < d->columns.directions; k++) d->z[rows + d->component[k] * d->count + k] = 1.0;
+  for (int k = d->columns.directions; k < d->count && d->sys->m > 0; k++) {
+    const eom_status status = start_column(d, s, k);
+    if (status == EOM_OK) continue;
+    complain("--sensitivity %s: the start does not satisfy the constraints with other values of it", d->name[k]);
+    return status;
+  }
   return eom_sensitivity_project(&d->columns, s->t0, d->z);
 }
 

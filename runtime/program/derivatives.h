@@ -26,7 +26,8 @@ void derivatives_close(derivatives *d);
 /* One column of a series for each derivative, component by component. Returns 0, or -1 after a message. */
 int derivatives_add_columns(const derivatives *d, const setup *s, series *rows);
 
-/* z at the start of the motion: unit vectors, on constraints the nearest that these allow. */
+/* z at the start of the motion: unit vectors, on constraints the nearest that these allow; for a parameter how the start that was
+ * given, brought onto the constraints, changes with it. Errors of eom_project, after a message. */
 eom_status derivatives_start(derivatives *d, const setup *s);
 
 /* The derivatives in d->z, a line for each component. */

@@ -118,12 +118,23 @@ static bool is_constant(const formula *f, int at) {
   return (n->a < 0 || is_constant(f, n->a)) && (n->b < 0 || is_constant(f, n->b));
 }
 
-/* Refuses an index that is known and outside of the array. */
+/* Whether the number of a point in a drawing stands in a node, and nothing that changes with the motion: then it is one of few. */
+static bool is_counted(const formula *f, int at) {
+  const node *n = &f->nodes[at];
+  if (n->op == Q || n->op == QD || n->op == TIME || n->op == X || n->op == Y) return false;
+  return (n->a < 0 || is_counted(f, n->a)) && (n->b < 0 || is_counted(f, n->b));
+}
+
+/* Refuses an index that is not known before the motion, and one that is outside of the array or between its elements. */
 static int check_index(reader *r, const char *before, const node *n) {
   const int count = n->op == PARAMETER ? n->p->count : r->m->description->model->dof(r->m->params);
-  if (!is_constant(r->f, n->a)) return 0;
+  if (!is_constant(r->f, n->a)) {
+    if (is_counted(r->f, n->a)) return 0; /* a point that is not a number is refused there */
+    r->at = before;
+    return fail(r, "an index may not change with the motion; what does stands");
+  }
   const double i = value(r->f, n->a, &(formula_point){.m = r->m});
-  if (i >= 0.0 && i < count) return 0;
+  if (i >= 0.0 && i < count && !(i > floor(i))) return 0;
   r->at = before;
   return fail(r, "the elements are [0] to [%d]; what is wrong stands", count - 1);
 }

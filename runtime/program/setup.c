@@ -3,7 +3,6 @@
 #include "setup.h"
 
 #include "eom/assemble.h"
-#include "eom/project.h"
 #include "eom/solve.h"
 #include "formula.h"
 #include "host/message.h"
@@ -173,6 +172,15 @@ static int last_index(const char *name, size_t *length) {
   return (int)i;
 }
 
+const eom_parameter *setup_parameter(const setup *s, const char *name, int *i) {
+  size_t length;
+  const eom_parameter *p = model_parameter(&s->model, name, strlen(name));
+  *i = -1;
+  if (p != NULL) return p;
+  *i = last_index(name, &length);
+  return *i >= 0 ? model_parameter(&s->model, name, length) : NULL;
+}
+
 static int store(setup *s, const entry *e, const eom_parameter *p, int i, double value) {
   const char *wrong = parameter_store(&s->model, p, i, value);
   if (wrong != NULL) complain("%s: %s = %s: %s", e->place, e->name, e->values, wrong);
@@ -204,14 +212,11 @@ static int store_one(setup *s, const entry *e, const eom_parameter *p, int i) {
 
 /* Whether the entry names a parameter; stores it, with *status 0 or -1. */
 static bool take_parameter(setup *s, const entry *e, int *status) {
-  size_t length;
   const char *name =
       strncmp(e->name, "p.", 2) == 0 && model_parameter(&s->model, e->name, strlen(e->name)) == NULL ? e->name + 2 : e->name;
-  const eom_parameter *p = model_parameter(&s->model, name, strlen(name));
-  if (p != NULL) return *status = store_all(s, e, p), true;
-  const int i = last_index(name, &length);
-  p = i >= 0 ? model_parameter(&s->model, name, length) : NULL;
-  if (p != NULL) *status = store_one(s, e, p, i);
+  int i;
+  const eom_parameter *p = setup_parameter(s, name, &i);
+  if (p != NULL) *status = i < 0 ? store_all(s, e, p) : store_one(s, e, p, i);
   return p != NULL;
 }
 
@@ -422,9 +427,10 @@ void setup_close(setup *s) {
   eom_system_destroy(s->sys);
   for (int i = 0; i < s->lines; i++) free(s->line[i]);
   free(s->q);
+  free(s->given);
   free(s->keep);
   model_close(&s->model);
-  s->sys = NULL, s->q = NULL, s->keep = NULL, s->lines = 0;
+  s->sys = NULL, s->q = s->given = NULL, s->keep = NULL, s->lines = 0;
 }
 
 /* ---- messages ---- */
@@ -440,13 +446,18 @@ void complain_status(const eom_system *sys, eom_status status, const char *what)
   complain("%s: %s", what, trimmed(text));
 }
 
+eom_projection setup_projection(const setup *s) {
+  return (eom_projection){.keep_q = s->any_kept[0] ? s->keep : NULL, .keep_qd = s->any_kept[1] ? s->keep + s->n : NULL};
+}
+
 int setup_consistent(setup *s) {
   if (s->sys->m == 0) return 0;
-  eom_projection p = {.keep_q = s->any_kept[0] ? s->keep : NULL, .keep_qd = s->any_kept[1] ? s->keep + s->n : NULL};
+  eom_projection p = setup_projection(s);
   double *before = malloc(2 * (size_t)s->n * sizeof *before);
   if (before == NULL) return -1;
   memcpy(before, s->q, 2 * (size_t)s->n * sizeof *before);
   const eom_status status = eom_project(s->sys, s->q, s->qd, s->t0, &p);
+  s->given = before;
   if (status != EOM_OK)
     complain_status(s->sys, status, "the start cannot be brought onto the constraints");
   else if (p.most_q < 0 && p.most_qd < 0)
@@ -464,7 +475,6 @@ int setup_consistent(setup *s) {
     }
     printf(" (the largest changes).\n");
   }
-  free(before);
   return status == EOM_OK ? 0 : -1;
 }
 

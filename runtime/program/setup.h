@@ -2,6 +2,7 @@
 #ifndef PROGRAM_SETUP_H
 #define PROGRAM_SETUP_H
 
+#include "eom/project.h"
 #include "eom/system.h"
 #include "host/options.h"
 #include "model.h"
@@ -16,6 +17,7 @@ typedef struct setup {
   int n;
   double t0;                    /* s */
   double *q, *qd;               /* n each, one behind the other: y = (q,qd) */
+  double *given;                /* 2n: y before it was brought onto the constraints; null: it is as it was given */
   unsigned char *keep;          /* 2n flags: what stays as it is where a state is made consistent or moved to an equilibrium */
   bool any_kept[2];             /* of q, of qd */
   char *line[SETUP_MOST_LINES]; /* what "line =" says (see drawing.h) */
@@ -37,6 +39,12 @@ void setup_read(setup *s, int argc, char **argv, const option *table, int count,
 /* Opens the model, reads the values and starts a system. Returns 0, or -1 after a message; then there is nothing to close. */
 int setup_load(setup *s, const char *path, const eom_options *options);
 void setup_close(setup *s);
+
+/* The parameter of that name, which may be that of an element, "mass[1]": then *i is its index, else -1. Null where there is none. */
+const eom_parameter *setup_parameter(const setup *s, const char *name, int *i);
+
+/* How the start is brought onto the constraints: what stays as it is. */
+eom_projection setup_projection(const setup *s);
 
 /* Brings the start onto the constraints and prints what changed; prints nothing where there are none. Returns 0, or -1 after a message.
  */

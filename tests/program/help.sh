@@ -1,7 +1,13 @@
 #!/usr/bin/env bash
-# help.sh PROGRAM: eom and each of its commands explain themselves, every option with what it takes, in lines that fit a terminal.
+# help.sh PROGRAM CMAKELISTS: eom and each of its commands explain themselves, every option with what it takes, in lines that fit a terminal.
 . "$(dirname "$0")/../examples/expect.sh"
 program=$1
+run 0 "$program" --help
+version=$(sed -n 's/^project(.* VERSION \([0-9.]*\) .*/\1/p' "$2")
+[ -n "$version" ] || fail "no version in $2"
+says scratch/out.txt 'eom --version'
+run 0 "$program" --version
+says scratch/out.txt "^eom $version "
 run 0 "$program" --help
 commands=$(awk '/^Commands/ { on = 1; next } /^$/ { on = 0 } on { print $1 }' scratch/out.txt)
 [ "$(wc -w <<<"$commands")" -ge 3 ] || fail "only these commands: $commands"

@@ -14,14 +14,23 @@ for method in dop853 cvode_bdf; do
     END { print "largest difference", worst; exit !(NR == 1002 && worst < 1e-6 && worst > 0) }' run.csv || fail "not the derivatives by $method"
 done
 
-# By a parameter, on a constraint: differences of two motions.
-state() { # state GRAVITY: q[0] at the end
-  run 0 "$program" run "$rod" --set mass=1 --set length=1 --set gravity="$1" --q 1,0 --t-end 1 --rtol 1e-12 --atol 1e-12 --csv run.csv
+# By a parameter, on a constraint: differences of two motions, from a start that satisfies the constraint and from ones that are brought
+# onto it, so that where they begin depends on the parameter.
+state() { # state PARAMETER VALUE OPTION..: q[0] at the end
+  run 0 "$program" run "$rod" --set mass=1 --set length=1 --set gravity=9.81 --set "$1=$2" --t-end 1 --rtol 1e-12 --atol 1e-12 --csv run.csv "${@:3}"
   tail -1 run.csv | cut -d, -f2
 }
-up=$(state 9.8101) down=$(state 9.8099)
-run 0 "$program" run "$rod" --set mass=1 --set length=1 --set gravity=9.81 --q 1,0 --t-end 1 --rtol 1e-12 --atol 1e-12 \
-  --sensitivity gravity --npz run.npz
-says scratch/out.txt '^  by +gravity$'
-awk -v up="$up" -v down="$down" '$1 == "q[0]" && NF == 2 { d = $2 - (up - down) / 0.0002; found = d * d < 1e-14 } END { exit !found }' \
-  scratch/out.txt || fail "not ($up - $down) / 0.0002: $(cat scratch/out.txt)"
+differentiated() { # differentiated PARAMETER UP DOWN OPTION..
+  local up down
+  up=$(state "$1" "$2" "${@:4}") down=$(state "$1" "$3" "${@:4}")
+  run 0 "$program" run "$rod" --set mass=1 --set length=1 --set gravity=9.81 --t-end 1 --rtol 1e-12 --atol 1e-12 --sensitivity "$1" --npz run.npz "${@:4}"
+  says scratch/out.txt "^  by +$1\$"
+  awk -v up="$up" -v down="$down" -v high="$2" -v low="$3" \
+    '$1 == "q[0]" && NF == 2 { d = $2 - (up - down) / (high - low); found = d * d < 1e-14 } END { exit !found }' scratch/out.txt ||
+    fail "d q[0]/d $1 is not ($up - $down) / ($2 - $3): $(cat scratch/out.txt)"
+}
+differentiated gravity 9.8101 9.8099 --q 1,0
+differentiated length 1.0001 0.9999 --q 1,0
+differentiated length 1.0001 0.9999 --q 1.2,-0.3 --qd 0.5,0.7
+differentiated length 1.0001 0.9999 --q 0.8,0.5 --qd 0,1 --keep 'q[1],qd[1]'
+differentiated mass 1.0001 0.9999 --q 1.2,-0.3
