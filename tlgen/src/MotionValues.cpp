@@ -1,6 +1,7 @@
 // Traces a model's functions, and finds the members to differentiate by.
 #include "MotionValues.h"
 #include "Elimination.h"
+#include "MultiplyOut.h"
 #include "Order.h"
 #include "Structure.h"
 
@@ -60,6 +61,7 @@ void MotionValues::setEquations(Equations equations, const std::string &name) {
   n = equations.n;
   for (const Array *function : equations.holonomic) m1 += function->length;
   for (const Array *function : equations.nonholonomic) m2 += function->length;
+  equations_ = equations;
   needs_ = std::make_unique<Needs>(graph, std::move(equations), !rows, analyses, identity);
 }
 
@@ -88,11 +90,31 @@ Results &MotionValues::results(const std::string &need) {
   return results_.emplace(need, std::move(made)).first->second;
 }
 
+// Of the accelerations that solve the equations.
+std::unique_ptr<Recurrences> MotionValues::recurrencesOf(const Results &solved) {
+  std::vector<Node *> accelerations(size_t(n), graph.number(0));
+  for (const Write &write : solved.arrays.at("qdd")->writes) accelerations[size_t(write.index->offset)] = write.value;
+  return std::make_unique<Recurrences>(graph, accelerations);
+}
+
+// Recurrences of another form of L where these are less work: products of series cost more than all else, and velocities in Cartesian
+// coordinates hide squares that add up.
+void MotionValues::lookAtMultipliedOut() {
+  Equations other = equations_;
+  other.lagrangian = multipliedOut(graph, other.lagrangian);
+  if (!other.lagrangian || other.lagrangian == equations_.lagrangian) return;
+  try {
+    Needs needs(graph, std::move(other), true, analyses, identity);
+    std::unique_ptr<Recurrences> made = recurrencesOf(eliminated(graph, needs.simulate(), n, m1, m2));
+    if (made->work() < recurrences_->work()) recurrences_ = std::move(made);
+  } catch (const Unsuitable &) { // the given form it is
+  }
+}
+
 Results MotionValues::taylor() {
   if (rows) throw Unsuitable{"recurrences are straight-line code", {}};
-  std::vector<Node *> accelerations(size_t(n), graph.number(0));
-  for (const Write &write : results("constrained").arrays.at("qdd")->writes) accelerations[size_t(write.index->offset)] = write.value;
-  recurrences_ = std::make_unique<Recurrences>(graph, accelerations);
+  recurrences_ = recurrencesOf(results("constrained"));
+  if (analyses.algebra) lookAtMultipliedOut();
   Results made;
   made.grouped = true;
   Array *fixed = made.arrays["fixed"] = graph.array("fixed", long(recurrences_->fixed().size()));

@@ -45,8 +45,11 @@ private:
   void findParameters(const Model &model, const MotionOptions &options);
 
   Results taylor();
+  std::unique_ptr<Recurrences> recurrencesOf(const Results &simulate);
+  void lookAtMultipliedOut();
 
   std::unique_ptr<Needs> needs_;
+  Equations equations_;
   std::unique_ptr<Recurrences> recurrences_;
   std::map<std::string, Results> results_;
   std::vector<ParameterColumns> columns_;

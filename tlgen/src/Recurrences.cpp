@@ -181,6 +181,15 @@ void Recurrences::needProduct(const Node *a, const Node *b) {
 
 // ---- text ----
 
+long Recurrences::work() const {
+  long count = 0;
+  for (const Node *n : order_) {
+    const bool product = n->op == Node::Mul && varies(n->args[0]) && varies(n->args[1]);
+    count += product || n->op == Node::Recip || n->op == Node::Math;
+  }
+  return count;
+}
+
 long Recurrences::workspace() const { return rows_ * rowLength + onces_; }
 
 std::string Recurrences::row(long number) const { return "x + " + str(number * rowLength); }

@@ -24,6 +24,8 @@ public:
   std::string first() const;
   std::string later() const;
 
+  // How many convolutions an order takes.
+  long work() const;
   // How many numbers x has. The row of a coordinate.
   long workspace() const;
   std::string coordinate(const std::string &i) const { return "x + " + std::to_string(rowLength) + " * " + i; }
