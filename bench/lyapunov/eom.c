@@ -1,5 +1,5 @@
 /* The spectrum by eom_lyapunov on what tlgen generates for the pendulum. Built with -DLINKS=n. Tangents have a tolerance of their own,
- * as loose as exponents allow that are uncertain by percents. */
+ * as loose as exponents allow that are uncertain by percents: 1e-4, or what the environment's TANGENTS says. */
 #include "spectrum.h"
 
 #include "pendulum.h"
@@ -21,9 +21,10 @@ static int spectrum_run(double t_end, double tolerance, spectrum *result) {
   spectrum_start(y);
   if (eom_system_create(&sys, &pendulum_model, &p, NULL) != EOM_OK) return 1;
   eom_lyapunov_options options = eom_lyapunov_options_default();
-  options.interval = 0.25;
+  options.interval = 1.0;
   options.control = (eom_step_control){.rtol = tolerance, .atol = tolerance};
-  options.tangent_tolerance = 1e-5;
+  const char *tangents = getenv("TANGENTS");
+  options.tangent_tolerance = tangents ? atof(tangents) : 1e-4;
   eom_status status = eom_lyapunov_create(&ly, sys, &options, 0.0, y);
   if (status == EOM_OK) {
     status = eom_lyapunov_to(ly, t_end, look, result);

@@ -42,13 +42,10 @@ static void evaluate(const eom_integrator *it, tl_real x, tl_real *y) {
 
 /* ---- steps that are kept: the coefficients of the polynomial from outside in, row by row ---- */
 
-size_t eom_kept_size(const eom_method *method, int dim) { return (4 + (size_t)method->dense_rows) * (size_t)dim; }
+int eom_kept_rows(const eom_method *method) { return 4 + method->dense_rows; }
 
-eom_status eom_keep_step(eom_integrator *it, tl_real *kept) {
-  if (it->interpolates != INTERPOLATES_READY) {
-    const eom_status status = prepare(it);
-    if (status != EOM_OK) return status;
-  }
+/* Hermite's cubic. */
+static void keep_cubic(const eom_integrator *it, tl_real *kept) {
   const tl_real h = it->t_after - it->t_before;
   const tl_real *k0 = it->slope, *ks = eom_slope(it, it->method->stages);
   const int dim = it->dim;
@@ -59,15 +56,62 @@ eom_status eom_keep_step(eom_integrator *it, tl_real *kept) {
     kept[2 * dim + i] = start;
     kept[3 * dim + i] = end - start;
   }
+}
+
+eom_status eom_keep_step(eom_integrator *it, tl_real *kept) {
+  if (it->interpolates != INTERPOLATES_READY) {
+    const eom_status status = prepare(it);
+    if (status != EOM_OK) return status;
+  }
+  keep_cubic(it, kept);
   for (int row = 0; row < it->method->dense_rows; row++)
-    memcpy(kept + (4 + row) * dim, eom_slope(it, row + 1), (size_t)dim * sizeof(tl_real));
+    memcpy(kept + (4 + row) * it->dim, eom_slope(it, row + 1), (size_t)it->dim * sizeof(tl_real));
   return EOM_OK;
 }
 
-void eom_kept_at(const eom_method *method, int dim, const tl_real *kept, tl_real x, tl_real *y) {
+/* The quintic's term x^2 (1-x)^2 (d_0 + x d_1), from h^2 qdd = 2 (d_0 + rest - start) at its start and 2 (d_0 + d_1 - 2 rest - start)
+ * at its end, rest and start those of the cubic; its derivative is the quartic of qd with 5 d_1/h in the place of d_0. */
+void eom_keep_motion(const eom_integrator *it, tl_real *kept) {
+  const tl_real h = it->t_after - it->t_before;
+  const tl_real *k0 = it->slope, *ks = eom_slope(it, it->method->stages);
+  const int dim = it->dim, n = dim / 2;
+  keep_cubic(it, kept);
+  for (int i = 0; i < n; i++) {
+    const tl_real start = kept[2 * dim + i], rest = kept[3 * dim + i], half = TL_C(0.5) * h * h;
+    const tl_real d1 = half * (ks[n + i] - k0[n + i]) + TL_C(3.0) * rest;
+    kept[4 * dim + i] = half * k0[n + i] + start - rest;
+    kept[5 * dim + i] = d1;
+    kept[4 * dim + n + i] = TL_C(5.0) * d1 / h;
+    kept[5 * dim + n + i] = TL_C(0.0);
+  }
+}
+
+/* Of the stages that is nearest the middle of a step. */
+static int middle_stage(const eom_method *m) {
+  int middle = 0;
+  for (int i = 1; i < m->stages; i++)
+    if (TL_LIBM(fabs)(m->c[i] - TL_C(0.5)) <= TL_LIBM(fabs)(m->c[middle] - TL_C(0.5))) middle = i;
+  return middle;
+}
+
+tl_real eom_motion_defect(const eom_integrator *it, const tl_real *kept) {
+  const int dim = it->dim, n = dim / 2, stage = middle_stage(it->method);
+  const tl_real h = it->t_after - it->t_before, x = it->method->c[stage], rest = TL_C(1.0) - x, *k = eom_slope(it, stage);
+  tl_real worst = TL_C(0.0);
+  for (int i = n; i < dim; i++) {
+    const tl_real *own = kept + i;
+    const tl_real slope =
+        own[dim] + (rest - x) * (own[2 * dim] + TL_C(2.0) * x * rest * own[4 * dim]) + x * (TL_C(2.0) - TL_C(3.0) * x) * own[3 * dim];
+    const tl_real defect = TL_LIBM(fabs)(slope - h * k[i]) / (TL_C(1.0) + TL_LIBM(fabs)(own[0]));
+    if (!(defect <= worst)) worst = defect;
+  }
+  return worst;
+}
+
+void eom_kept_at(int rows, int dim, const tl_real *kept, tl_real x, tl_real *y) {
   const tl_real rest = TL_C(1.0) - x;
   memset(y, 0, (size_t)dim * sizeof(tl_real));
-  for (int row = method->dense_rows + 3; row >= 0; row--) {
+  for (int row = rows - 1; row >= 0; row--) {
     const tl_real *own = kept + row * dim, factor = row % 2 ? rest : x;
     for (int i = 0; i < dim; i++) y[i] = own[i] + factor * y[i];
   }

@@ -21,9 +21,11 @@ enum { EOM_PATH_STEPS = 16 }; /* kept */
 
 /* The motion by its own steps, which are ahead of those of the tangents: the last ones are kept. */
 typedef struct eom_lyapunov_path {
-  tl_real *kept;                                      /* EOM_PATH_STEPS of them, in a ring */
-  size_t size;                                        /* numbers of one */
+  tl_real *kept; /* EOM_PATH_STEPS of them, in a ring */
+  size_t size;   /* numbers of one */
+  int rows[EOM_PATH_STEPS];
   tl_real begin[EOM_PATH_STEPS], end[EOM_PATH_STEPS]; /* s */
+  tl_real full[EOM_PATH_STEPS];                       /* s: what a step would have been if it had not ended at a mark */
   long count;                                         /* since the last mark */
   tl_real t_mark;                                     /* s: no step goes beyond */
   eom_status status;                                  /* of the motion */
@@ -61,6 +63,7 @@ typedef struct eom_lyapunov_work {
   tl_real *rtol, *atol;     /* tolerances of each number */
   eom_lyapunov_path path;   /* likewise */
   tl_real *y;               /* 2n: on the path */
+  tl_real reach;            /* of the tangents' next step, in steps of the motion */
   long steps_per_mark;      /* where steps are fixed */
   tl_real t_qr;             /* s: of the last QR, */
   tl_real span;             /* s: and the time from there after which the next one is due */
@@ -83,6 +86,13 @@ eom_status eom_lyapunov_rates(eom_lyapunov *ly, tl_real t, const tl_real *y, con
 /* The motion at time t, not before the step that the tangents began last: y, 2n. What ended the motion; NOT_IN_STEP where the steps
  * that are kept are all later. */
 eom_status eom_lyapunov_path_at(eom_lyapunov *ly, tl_real t, tl_real *y);
+
+/* The time after that many steps of the motion, which need not be whole, from t on; t_mark where that is less. What ended the motion;
+ * NOT_IN_STEP where it cannot go on as far without losing the steps that the tangents need. */
+eom_status eom_lyapunov_path_after(eom_lyapunov *ly, tl_real t, tl_real steps, tl_real *after);
+
+/* How many steps of the motion there are from begin to end, between which they are kept. */
+tl_real eom_lyapunov_path_steps(const eom_lyapunov *ly, tl_real begin, tl_real end);
 
 /* The motion begins anew at y of the last mark, on to that of t_mark. */
 void eom_lyapunov_path_begin(eom_lyapunov *ly, tl_real t_mark);

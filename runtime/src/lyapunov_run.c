@@ -79,19 +79,43 @@ static eom_status fixed_step(eom_lyapunov *ly, bool *at_mark) {
   return status;
 }
 
-/* One step of the tangents that is chosen. It may be as long as half the steps of the motion that are kept, as long as these are now.
+/* ---- steps of the tangents' own ---- */
+
+/* Where the motion is fast its steps are short, and so must be those of the tangents: they are chosen as a number of steps of the
+ * motion, which is ahead and knows. All of these are kept, and those at both ends, which are begun. */
+static const tl_real most_reach = (tl_real)(EOM_PATH_STEPS - 4);
+
+/* Of a mark the lengths of both next steps are kept. */
+static void reach_from_mark(eom_lyapunov *ly) { ly->work->reach = ly->it.h == TL_C(0.0) ? TL_C(0.0) : ly->tangents.h / ly->it.h; }
+
+static void reach_to_mark(eom_lyapunov *ly) { ly->tangents.h = ly->work->reach * ly->it.h; }
+
+/* The length of the next step; the first one of all is the integrator's choice, and where steps of the motion would be lost h is kept.
  */
+static eom_status plan_step(eom_lyapunov *ly) {
+  eom_integrator *it = &ly->tangents;
+  tl_real end = it->t;
+  if (!(ly->work->reach > TL_C(0.0))) return EOM_OK;
+  const eom_status status = eom_lyapunov_path_after(ly, it->t, TL_LIBM(fmin)(ly->work->reach, most_reach), &end);
+  if (status == EOM_OK) it->h = end - it->t;
+  return status == EOM_NOT_IN_STEP ? EOM_OK : status;
+}
+
+static eom_status own_step(eom_lyapunov *ly, tl_real t_mark) {
+  eom_lyapunov_work *w = ly->work;
+  eom_integrator *it = &ly->tangents;
+  eom_status status = plan_step(ly);
+  if (status == EOM_OK) status = eom_integrate(it, t_mark, stop_after_step, NULL);
+  if (w->path.status != EOM_OK) return w->path.status;
+  if (status == EOM_STOPPED) w->reach = eom_lyapunov_path_steps(ly, it->t_before, it->t) * it->h / (it->t - it->t_before);
+  return status;
+}
+
+/* One step that is chosen. */
 static eom_status chosen_step(eom_lyapunov *ly, tl_real t_mark, bool *at_mark) {
-  eom_integrator *it = eom_lyapunov_stepper(ly);
   if (is_worked_out(ly)) return EOM_TOO_MUCH_WORK;
-  const tl_real most = ly->options.control.h_max;
-  if (!ly->work->together && ly->it.h != TL_C(0.0)) {
-    const tl_real reach = TL_C(0.5) * (tl_real)EOM_PATH_STEPS * TL_LIBM(fabs)(ly->it.h);
-    it->control.h_max = most > TL_C(0.0) && most < reach ? most : reach;
-  }
-  eom_status status = eom_integrate(it, t_mark, stop_after_step, NULL);
-  if (ly->work->path.status != EOM_OK) status = ly->work->path.status;
-  *at_mark = it->t == t_mark;
+  const eom_status status = ly->work->together ? eom_integrate(&ly->it, t_mark, stop_after_step, NULL) : own_step(ly, t_mark);
+  *at_mark = eom_lyapunov_stepper(ly)->t == t_mark;
   return status == EOM_STOPPED ? EOM_OK : status;
 }
 
@@ -104,6 +128,7 @@ static eom_status advance(eom_lyapunov *ly, tl_real t_mark, bool *at_mark) {
 static eom_status to_mark(eom_lyapunov *ly) {
   const tl_real t_mark = ly->t0 + (tl_real)(ly->marks + 1) * ly->options.interval;
   eom_lyapunov_path_begin(ly, t_mark);
+  if (!ly->work->together) reach_from_mark(ly);
   for (bool at_mark = false; !at_mark;) {
     eom_status status = advance(ly, t_mark, &at_mark);
     if (status == EOM_OK && is_qr_due(ly, eom_lyapunov_stepper(ly)->t, at_mark)) status = make_orthonormal(ly);
@@ -152,6 +177,7 @@ eom_status eom_lyapunov_take_mark(eom_lyapunov *ly) {
   const eom_status status = eom_lyapunov_hold_rows(ly, ly->it.t, y);
   if (status != EOM_OK) return status;
   restart(ly);
+  if (!ly->work->together) reach_to_mark(ly);
   return eom_energy(ly->sys, y, y + n, ly->it.t);
 }
 

@@ -84,14 +84,18 @@ static eom_status settle_options(const eom_system *sys, const eom_lyapunov_optio
 
 /* ---- memory ---- */
 
-/* Steps of the tangents' own save evaluations of derivatives, and cost three more of the motion in each of its steps to interpolate. Of
- * pendulums by dop853 it was measured that tangents take 1.65 ratio^(1/8) of the motion's steps, ratio that of the two tolerances. */
+/* Steps of the tangents' own save evaluations of derivatives, and may cost three more of the motion in each of its steps to
+ * interpolate. Of pendulums by dop853 it was measured that tangents take 1.35 ratio^(1/8) of the motion's steps, ratio that of the two
+ * tolerances, and that most steps of the motion need no further evaluations where its tolerance^(5/8) is below a 50th of the tangents'.
+ */
 static bool pay_off(const eom_system *sys, const eom_lyapunov_options *o) {
   const eom_method *m = o->method;
   const int d = exponents_at_least(sys), k = o->k > 0 ? o->k : d > 0 ? d : 1;
-  const tl_real finer = TL_LIBM(fmax)(o->control.rtol, o->control.atol) / o->tangent_tolerance;
-  const tl_real steps = TL_C(1.65) * TL_LIBM(pow)(finer, TL_C(1.0) / (tl_real)m->error_power);
-  return (tl_real)(m->stages + m->dense_stages) < (tl_real)m->stages * cost_of(sys, o->product, k) * (TL_C(1.0) - steps);
+  const tl_real tolerance = TL_LIBM(fmax)(o->control.rtol, o->control.atol), q = (tl_real)m->error_power;
+  const tl_real steps = TL_C(1.35) * TL_LIBM(pow)(tolerance / o->tangent_tolerance, TL_C(1.0) / q);
+  const bool from_ends = TL_C(50.0) * TL_LIBM(pow)(tolerance, TL_C(5.0) / q) < o->tangent_tolerance;
+  const tl_real evaluations = (tl_real)(m->stages + (from_ends ? 0 : m->dense_stages));
+  return evaluations < (tl_real)m->stages * cost_of(sys, o->product, k) * (TL_C(1.0) - steps);
 }
 
 /* y and tangents go together where steps are fixed, or it does not pay to part them; and where the rows that are held (eom_hold) are
@@ -119,6 +123,12 @@ static void lay_out_rows(eom_lyapunov *ly, eom_lyapunov_work *w, eom_arena *a) {
   w->seen = eom_arena_reals(a, d);
 }
 
+/* Of a step that is kept, by either interpolation. */
+static int path_rows(const eom_method *m) {
+  const int rows = eom_kept_rows(m);
+  return rows > EOM_MOTION_ROWS ? rows : EOM_MOTION_ROWS;
+}
+
 static void lay_out_tangents(eom_lyapunov *ly, eom_lyapunov_work *w, eom_arena *a, int most) {
   const eom_system *sys = ly->sys;
   const eom_lyapunov_options *o = &ly->options;
@@ -135,7 +145,7 @@ static void lay_out_tangents(eom_lyapunov *ly, eom_lyapunov_work *w, eom_arena *
   const int first = w->together ? w->dim : (int)d, second = w->dim - first;
   w->integrator = eom_arena_reals(a, eom_integrator_size(o->method, first));
   w->tangents = eom_arena_reals(a, second > 0 ? eom_integrator_size(o->method, second) : 0);
-  w->path.size = second > 0 ? eom_kept_size(o->method, (int)d) : 0;
+  w->path.size = second > 0 ? (size_t)path_rows(o->method) * d : 0;
   w->path.kept = eom_arena_reals(a, w->path.size * EOM_PATH_STEPS);
   w->y = eom_arena_reals(a, d);
   w->rtol = eom_arena_reals(a, chosen ? dim : 0);

@@ -118,12 +118,21 @@ int eom_all_finite(const tl_real *x, int count);
 /* As eom_integrator_at, in all of the last step, also where an event has cut it short since. */
 eom_status eom_interpolate(eom_integrator *it, tl_real t, tl_real *y);
 
-/* The last step in a form that outlives it: eom_kept_size numbers, for eom_kept_at. RHS_FAILED, NOT_FINITE. */
-size_t eom_kept_size(const eom_method *method, int dim);
+/* The last step in a form that outlives it: that many rows of dim numbers, for eom_kept_at. RHS_FAILED, NOT_FINITE. */
+int eom_kept_rows(const eom_method *method);
 eom_status eom_keep_step(eom_integrator *it, tl_real *kept);
 
+/* The same without an evaluation, where y = (q,qd) and y' = (qd,qdd): q by the quintic that has q, qd and qdd of both ends of the step,
+ * qd by its derivative, which is wrong by O(h^5). */
+enum { EOM_MOTION_ROWS = 6 };
+void eom_keep_motion(const eom_integrator *it, tl_real *kept);
+
+/* To be called before the next step, and before anything interpolates in the last one: the largest h |derivative of qd - qdd| in parts
+ * of 1 + |qd|, at the stage nearest the middle of the step; five times (dop853) what qd is then wrong by elsewhere in the step. */
+tl_real eom_motion_defect(const eom_integrator *it, const tl_real *kept);
+
 /* The state in a kept step, as eom_interpolate; x: the part of the step that has passed, 0..1. y: dim. */
-void eom_kept_at(const eom_method *method, int dim, const tl_real *kept, tl_real x, tl_real *y);
+void eom_kept_at(int rows, int dim, const tl_real *kept, tl_real x, tl_real *y);
 
 /* Handles the events of the step that was taken; it->t is then the end of the step, or the time of the event that cut it short. STOPPED
  * where one stops; errors of eom_integrator_at and of the user's functions (RHS_FAILED, NOT_FINITE). */

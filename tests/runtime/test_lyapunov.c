@@ -194,6 +194,26 @@ static void path_is_long_enough(void **state) {
   eom_system_destroy(sys);
 }
 
+/* The motion ahead of tangents that need few digits costs its stages and nothing to interpolate; its own steps say how long those of
+ * the tangents may be, so that few are refused. */
+static void little_is_wasted(void **state) {
+  (void)state;
+  const pendulum p = {4, 9.81};
+  eom_system *sys = pendulum_system(&p);
+  eom_lyapunov_options options = chosen_steps(EOM_LYAPUNOV_DISCRETE);
+  options.tangent_tolerance = 1e-4;
+  eom_lyapunov *ly = start_with(sys, &options, START_ANGLE);
+  const int marks = test_tries(10);
+  run(ly, marks);
+  print_message("%ld steps of the motion, %ld of the tangents and %ld refused\n", ly->it.steps, ly->tangents.steps,
+                ly->tangents.rejected);
+  const long stages = eom_dop853.stages;
+  assert_true(ly->it.evaluations <= stages * (ly->it.steps + ly->it.rejected) + 2 * marks);
+  assert_true(8 * ly->tangents.rejected < ly->tangents.steps && 4 * ly->tangents.steps < ly->it.steps);
+  eom_lyapunov_destroy(ly);
+  eom_system_destroy(sys);
+}
+
 /* A damped oscillator, x'' + 2 z x' + w^2 x = 0: exponents -z +- sqrt(z^2 - w^2), or twice -z where it turns. At rest the motion asks
  * for no steps, but its tangents do. */
 static void oscillator_lagrangian(tl_ctx *cx, tl_real *out, const tl_real *q, const tl_real *qd, const tl_real *t, const void *params) {
@@ -670,6 +690,7 @@ int main(void) {
                                      cmocka_unit_test(by_chosen_steps),
                                      cmocka_unit_test(tangents_in_steps_of_their_own),
                                      cmocka_unit_test(path_is_long_enough),
+                                     cmocka_unit_test(little_is_wasted),
                                      cmocka_unit_test(damped_oscillator),
                                      cmocka_unit_test(continuous_scheme_keeps_the_order),
                                      cmocka_unit_test(first_exponents),
