@@ -427,28 +427,35 @@ std::string MotionFunctions::constrained(Body &body) {
          finite(n, "Qc");
 }
 
-// Order by order; orders with as many vectors share a copy of the code, which knows their number.
+// Order by order, in blocks of four.
 MotionFunction MotionFunctions::taylor(Body &body) {
   const Recurrences &recurrences = body.values.recurrences();
-  const std::string stem = model_.name + "_taylor", first = stem + "_first", later = stem + "_later";
-  const std::string n = str(body.values.n);
-  const bool fixed = !recurrences.fixed().empty();
+  const std::string stem = model_.name + "_taylor", first = stem + "_first", later = stem + "_later", pairs = stem + "_pairs";
+  const std::string n = str(body.values.n), count = str(long(recurrences.pairs().size()));
+  const bool fixed = !recurrences.fixed().empty(), products = !recurrences.pairs().empty();
   if (fixed) body.vector(0, "fixed", body.memory("fixed", long(recurrences.fixed().size())) + "[%]");
   std::string s = body.printChecked(0);
-  const std::string arguments = std::string("x, ") + (fixed ? "fixed" : "NULL");
-  s += "  " + first + "(" + arguments + ", q, qd, t);\n";
-  for (int k : {1, 2}) s += "  if (order > " + str(k + 1) + ") " + later + "(" + arguments + ", " + str(k) + ", 0);\n";
-  s += "  int k = 3;\n";
-  for (int vectors = 1; vectors <= 6; ++vectors)
-    s += "  for (; k + 2 <= order && k < " + str(4 * vectors + 4) + "; ++k) " + later + "(" + arguments + ", k, " + str(vectors) +
-         ");\n";
-  s += "  for (int i = 0; i < " + n + "; ++i)\n    for (k = 0; k <= order; ++k) coef[i*(order + 1) + k] = (" +
+  const std::string values = fixed ? "fixed" : "NULL", older = products ? "x + " + str(recurrences.older()) : "NULL";
+  auto order = [&](const std::string &k, int place, bool begins) {
+    return later + "(x, " + older + ", " + values + ", " + k + ", " + str(place) + ", " + (begins ? "1" : "0") + ");\n";
+  };
+  s += "  " + first + "(x, " + values + ", q, qd, t);\n";
+  for (int k : {1, 2, 3}) s += "  if (order > " + str(k + 1) + ") " + order(str(k), k, true);
+  s += "  for (int k = 4; k + 2 <= order; k += 4) {\n";
+  if (products) s += "    tl_series_begin_block(x, " + older + ", " + count + ", " + pairs + ", k);\n";
+  s += "    " + order("k", 0, false);
+  for (int place : {1, 2, 3}) s += "    if (order > k + " + str(place + 1) + ") " + order("k + " + str(place), place, false);
+  s += "  }\n  for (int i = 0; i < " + n + "; ++i)\n    for (int k = 0; k <= order; ++k) coef[i*(order + 1) + k] = (" +
        recurrences.coordinate("i") + ")[k];\n" + finite(n + "*(order + 1)", "coef");
   MotionFunction f = define("taylor", "int order, tl_real *restrict coef", body, s, recurrences.workspace());
-  const std::string shared = "tl_real *restrict x, const tl_real *restrict fixed, ";
-  f.definition = "TL_INLINE void " + first + "(" + shared + "const tl_real *restrict q, const tl_real *restrict qd, tl_real t)\n{\n" +
-                 "  (void)fixed, (void)t;\n" + recurrences.first() + "}\n\nTL_INLINE void " + later + "(" + shared +
-                 "int k, int vectors)\n{\n  (void)fixed, (void)vectors;\n" + recurrences.later() + "}\n\n" + f.definition;
+  std::string table;
+  for (auto &[a, b] : recurrences.pairs()) table += (table.empty() ? "{" : ", {") + str(a) + ", " + str(b) + "}";
+  const std::string fixedArgument = "const tl_real *restrict fixed, ";
+  f.definition = (products ? "static const tl_series_pair " + pairs + "[] = {" + table + "};\n\n" : "") + "TL_INLINE void " + first +
+                 "(tl_real *restrict x, " + fixedArgument + "const tl_real *restrict q, const tl_real *restrict qd, tl_real t)\n{\n" +
+                 "  (void)fixed, (void)t;\n" + recurrences.first() + "}\n\nTL_INLINE void " + later +
+                 "(tl_real *restrict x, const tl_real *older, " + fixedArgument + "int k, int place, int first)\n{\n" +
+                 "  (void)older, (void)fixed, (void)place, (void)first;\n" + recurrences.later() + "}\n\n" + f.definition;
   return f;
 }
 

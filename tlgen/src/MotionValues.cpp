@@ -106,7 +106,7 @@ void MotionValues::lookAtMultipliedOut() {
   try {
     Needs needs(graph, std::move(other), true, analyses, identity);
     std::unique_ptr<Recurrences> made = recurrencesOf(eliminated(graph, needs.simulate(), n, m1, m2));
-    if (made->work() < recurrences_->work()) recurrences_ = std::move(made);
+    if (made->pairs().size() < recurrences_->pairs().size()) recurrences_ = std::move(made);
   } catch (const Unsuitable &) { // the given form it is
   }
 }

@@ -3,6 +3,7 @@
 #include "PrintC.h"
 #include "Trace.h"
 
+#include <algorithm>
 #include <set>
 
 namespace tlgen {
@@ -37,6 +38,7 @@ Recurrences::Recurrences(Graph &graph, std::vector<Node *> accelerations) : grap
   rows_ = 2 * long(accelerations_.size()); // of q, then of qd
   for (Node *&a : accelerations_) a = prepared(a);
   for (Node *a : accelerations_) add(a);
+  later_ = makeLater();
 }
 
 // Whether the value is another one from state to state.
@@ -106,10 +108,8 @@ void Recurrences::add(Node *n) {
   v.node = n;
   v.place = long(order_.size());
   order_.push_back(n);
-  if (n->op == Node::Leaf && n->slot->kind == Slot::Q) v.forward = n->args[0]->offset;
-  if (n->op == Node::Leaf && n->slot->kind == Slot::Qd) v.forward = long(accelerations_.size()) + n->args[0]->offset;
   if (n->op == Node::Mul && varies(n->args[0]) && varies(n->args[1])) needProduct(n->args[0], n->args[1]);
-  if (n->op == Node::Recip) needForward(n->args[0]), needForward(n), needBackward(n);
+  if (n->op == Node::Recip) needForward(n->args[0]), needForward(n), needSecond(n);
 }
 
 void Recurrences::addMath(Node *n) {
@@ -143,15 +143,15 @@ void Recurrences::addMath(Node *n) {
   const Node *a = n->args[0];
   for (Node *m : made) {
     if (m->op == Node::Mul) needProduct(m->args[0], m->args[1]);
-    if (m->op == Node::Math && m->text != "log" && m->text != "atan" && m->text != "tan") needForward(m), needBackward(m);
+    if (m->op == Node::Math && m->text != "log" && m->text != "atan" && m->text != "tan") needForward(m), needSecond(m);
   }
   if (n->text == "sqrt") needOnce(n);
-  if (n->text == "log") needWeighted(n), needForward(a), needBackward(a), needOnce(n);
+  if (n->text == "log") needWeighted(n), needForward(a), needSecond(a), needOnce(n);
   if (n->text == "atan") {
     const Node *sum = onePlusSquare(n->args[0]);
-    needWeighted(n), needForward(sum), needBackward(sum), needOnce(n);
+    needWeighted(n), needForward(sum), needSecond(sum), needOnce(n);
   }
-  if (n->text == "tan") needWeighted(a), needForward(made.back()), needBackward(made.back());
+  if (n->text == "tan") needWeighted(a), needForward(made.back()), needSecond(made.back());
   if (n->text == "exp" || !partner(n->text).empty()) needWeighted(a);
   if (power || n->text == "cbrt") needWeighted(a), needForward(a), needOnce(n);
 }
@@ -160,9 +160,9 @@ void Recurrences::needForward(const Node *n) {
   Value &v = value(n);
   if (v.forward < 0) v.forward = rows_++;
 }
-void Recurrences::needBackward(const Node *n) {
-  Value &v = value(n);
-  if (v.backward < 0) v.backward = rows_++;
+void Recurrences::needSecond(const Node *n) {
+  needForward(n);
+  value(n).second = true;
 }
 void Recurrences::needWeighted(const Node *n) {
   Value &v = value(n);
@@ -173,24 +173,15 @@ void Recurrences::needOnce(const Node *n) {
   if (v.once < 0) v.once = onces_++;
 }
 
-// One of the two backward: better one that is so already.
+// The second factor: better one that is so already.
 void Recurrences::needProduct(const Node *a, const Node *b) {
   needForward(a), needForward(b);
-  if (value(a).backward < 0) needBackward(b);
+  if (!value(a).second) needSecond(b);
 }
 
 // ---- text ----
 
-long Recurrences::work() const {
-  long count = 0;
-  for (const Node *n : order_) {
-    const bool product = n->op == Node::Mul && varies(n->args[0]) && varies(n->args[1]);
-    count += product || n->op == Node::Recip || n->op == Node::Math;
-  }
-  return count;
-}
-
-long Recurrences::workspace() const { return rows_ * rowLength + onces_; }
+long Recurrences::workspace() const { return older() + 4 * long(pairs_.size()); }
 
 std::string Recurrences::row(long number) const { return "x + " + str(number * rowLength); }
 
@@ -201,11 +192,22 @@ std::string Recurrences::fixedText(const Node *n) const {
 
 std::string Recurrences::operandText(const Node *n) const { return varies(n) ? value(n).name() : fixedText(n); }
 
-// sum_(j=1..k-1) of the row a and b.
-std::string Recurrences::between(long a, const Node *b) const {
-  const Value &v = value(b);
-  return "tl_series_between(" + row(a) + ", " + row(v.forward) + ", " + row(v.backward) + ", k, vectors)";
+// The row of a coordinate or velocity, which is ahead of the orders that are computed.
+long Recurrences::state(const Node *leaf) const {
+  return leaf->args[0]->offset + (leaf->slot->kind == Slot::Q ? 0 : long(accelerations_.size()));
 }
+
+// sum_(j=1..k-1) of the row a and b.
+std::string Recurrences::between(long a, const Node *b) {
+  const std::pair<long, long> pair = {a * rowLength, value(b).forward * rowLength};
+  auto known = std::find(pairs_.begin(), pairs_.end(), pair);
+  const long number = known - pairs_.begin();
+  if (known == pairs_.end()) pairs_.push_back(pair);
+  return "tl_series_between(" + row(a) + ", " + row(value(b).forward) + ", older + " + str(4 * number) + ", k, place, first)";
+}
+
+// After the rows, in front of what is older.
+std::string Recurrences::once(const Value &v) const { return "x[" + str(rows_ * rowLength + v.once) + "]"; }
 
 // Coefficient 0.
 std::string Recurrences::initial(const Value &v) const {
@@ -240,12 +242,12 @@ std::string Recurrences::onceText(const Value &v) const {
 
 // Coefficient k >= 1. What was computed last, a coefficient of this order, comes in by one multiplication and addition: the time goes
 // by the chain of these from one order to the next.
-std::string Recurrences::general(const Value &v) const {
+std::string Recurrences::general(const Value &v) {
   const Node *n = v.node;
   auto zeroth = [this](const Node *of) { return "x[" + str(value(of).forward * rowLength) + "]"; };
   switch (n->op) {
   case Node::Leaf:
-    return n->slot->kind == Slot::T ? "k == 1 ? TL_C(1.0) : TL_C(0.0)" : "x[" + str(v.forward * rowLength) + " + k]";
+    return n->slot->kind == Slot::T ? "k == 1 ? TL_C(1.0) : TL_C(0.0)" : "x[" + str(state(n) * rowLength) + " + k]";
   case Node::Add: {
     const Node *a = n->args[0], *b = n->args[1];
     if (!varies(a)) return operandText(b);
@@ -255,7 +257,7 @@ std::string Recurrences::general(const Value &v) const {
   case Node::Mul: {
     const Node *a = n->args[0], *b = n->args[1];
     if (!varies(a) || !varies(b)) return initial(v);
-    if (value(b).backward < 0) std::swap(a, b);
+    if (!value(b).second) std::swap(a, b);
     const std::string older = between(value(a).forward, b);
     if (a == b) return older + " + TL_C(2.0) * " + zeroth(a) + " * " + value(a).name();
     if (value(a).place > value(b).place) std::swap(a, b);
@@ -275,9 +277,9 @@ std::string Recurrences::general(const Value &v) const {
 //   sqrt         c_k = (a_k - B(c,c))/(2 c_0)
 //   log, atan    c_k = (a_k - B(w,d)/k)/d_0, w of c, d = a or 1 + a^2
 //   power r      c_k = ((r+1)/k B(w,c) - B(a,c) + r a_k c_0)/a_0
-std::string Recurrences::mathGeneral(const Value &v) const {
+std::string Recurrences::mathGeneral(const Value &v) {
   const Node *n = v.node, *a = n->args[0];
-  const std::string once = v.once < 0 ? "" : "x[" + str(rows_ * rowLength + v.once) + "]";
+  const std::string once = v.once < 0 ? "" : this->once(v);
   auto zeroth = [this](const Node *of) { return "x[" + str(value(of).forward * rowLength) + "]"; };
   auto integral = [&](const Node *slope, const std::string &sign) {
     return sign + "(over_k * " + between(value(a).weighted, slope) + " + " + value(a).name() + " * " + zeroth(slope) + ")";
@@ -300,16 +302,14 @@ std::string Recurrences::mathGeneral(const Value &v) const {
 // What later orders read of a value.
 std::string Recurrences::keep(const Value &v, bool first) const {
   std::string s;
-  const bool state = v.node->op == Node::Leaf && v.node->slot->kind != Slot::T;
-  if (v.forward >= 0 && !state)
-    s += first ? "  tl_series_begin(" + row(v.forward) + ", " + v.name() + ");\n"
-               : "  tl_series_put(" + row(v.forward) + ", k, " + v.name() + ");\n";
-  if (v.weighted >= 0)
-    s += first ? "  tl_series_begin(" + row(v.weighted) + ", TL_C(0.0));\n"
-               : "  tl_series_put(" + row(v.weighted) + ", k, (tl_real)k * " + v.name() + ");\n";
-  if (v.backward >= 0)
-    s += first ? "  tl_series_begin_backward(" + row(v.backward) + ");\n"
-               : "  if (k > 1) x[" + str(v.backward * rowLength) + " + TL_SERIES_END - k] = " + v.name() + ";\n";
+  auto put = [&](long number, bool second, const std::string &text) {
+    if (first || !second)
+      s += "  x[" + str(number * rowLength) + (first ? "" : " + k") + "] = " + text + ";\n";
+    else
+      s += "  tl_series_put(" + row(number) + ", k, place, " + text + ");\n";
+  };
+  if (v.forward >= 0) put(v.forward, v.second, v.name());
+  if (v.weighted >= 0 && !first) put(v.weighted, false, "(tl_real)k * " + v.name());
   return s;
 }
 
@@ -322,8 +322,8 @@ std::string Recurrences::follow(const std::string &k) const {
     const std::string rate = "rate" + str(i);
     std::string acceleration = varies(a) || k == "0" ? operandText(a) : "TL_C(0.0)";
     s += "  const tl_real " + rate + " = over_1 * " + acceleration + ";\n";
-    s += "  tl_series_put(" + row(n + i) + ", " + k + " + 1, " + rate + ");\n";
-    s += "  tl_series_put(" + row(i) + ", " + k + " + 2, over_2 * " + rate + ");\n";
+    s += "  x[" + str((n + i) * rowLength) + " + " + k + " + 1] = " + rate + ";\n";
+    s += "  x[" + str(i * rowLength) + " + " + k + " + 2] = over_2 * " + rate + ";\n";
   }
   return s;
 }
@@ -332,20 +332,20 @@ std::string Recurrences::first() const {
   const long n = long(accelerations_.size());
   std::string s;
   for (long i = 0; i < n; ++i) {
-    s += "  tl_series_begin(" + row(i) + ", q[" + str(i) + "]);\n  tl_series_put(" + row(i) + ", 1, qd[" + str(i) + "]);\n";
-    s += "  tl_series_begin(" + row(n + i) + ", qd[" + str(i) + "]);\n";
+    s += "  x[" + str(i * rowLength) + "] = q[" + str(i) + "];\n  x[" + str(i * rowLength) + " + 1] = qd[" + str(i) + "];\n";
+    s += "  x[" + str((n + i) * rowLength) + "] = qd[" + str(i) + "];\n";
   }
   std::string kept;
   for (const Node *node : order_) {
     const Value &v = value(node);
     s += "  const tl_real " + v.name() + " = " + initial(v) + ";\n";
     kept += keep(v, true);
-    if (v.once >= 0) kept += "  x[" + str(rows_ * rowLength + v.once) + "] = " + onceText(v) + ";\n";
+    if (v.once >= 0) kept += "  " + once(v) + " = " + onceText(v) + ";\n";
   }
   return s + kept + follow("0");
 }
 
-std::string Recurrences::later() const {
+std::string Recurrences::makeLater() {
   std::string s = "  const tl_real over_k = TL_C(1.0) / (tl_real)k;\n", kept;
   for (const Node *node : order_) {
     const Value &v = value(node);

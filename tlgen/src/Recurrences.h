@@ -20,12 +20,13 @@ public:
   const std::vector<Node *> &fixed() const { return fixed_; }
 
   // Statements that compute coefficients 0 of all values, and coefficients k >= 1, and those of the motion that follow. They use x: the
-  // rows, fixed: the values above, q, qd, t: the state, k, vectors: see tl_series_between.
+  // rows, fixed: the values above, q, qd, t: the state, k, place, first: see tl_series_between.
   std::string first() const;
-  std::string later() const;
+  const std::string &later() const { return later_; }
 
-  // How many convolutions an order takes.
-  long work() const;
+  // The pairs of rows of which an order takes products: one number after the other, as tl_series_pair; where in x what is older begins.
+  const std::vector<std::pair<long, long>> &pairs() const { return pairs_; }
+  long older() const { return rows_ * rowLength + (onces_ + 3) / 4 * 4; }
   // How many numbers x has. The row of a coordinate.
   long workspace() const;
   std::string coordinate(const std::string &i) const { return "x + " + std::to_string(rowLength) + " * " + i; }
@@ -36,8 +37,8 @@ private:
   struct Value {
     Node *node = nullptr;
     long place = 0;                                                  // in the order of computation
-    long forward = -1;                                               // rows; -1: none
-    long backward = -1;                                              //
+    long forward = -1;                                               // row; -1: none
+    bool second = false;                                             // of a product
     long weighted = -1;                                              // forward, j times coefficient j
     long once = -1;                                                  // a number that is computed with coefficient 0
     std::string name() const { return "v" + std::to_string(place); } // of the coefficient under way
@@ -51,20 +52,23 @@ private:
   Value &value(const Node *n) { return values_.at(n); }
   const Value &value(const Node *n) const { return values_.at(n); }
   void needForward(const Node *n);
-  void needBackward(const Node *n);
+  void needSecond(const Node *n);
   void needWeighted(const Node *n);
   void needOnce(const Node *n);
   void needProduct(const Node *a, const Node *b);
   std::string row(long number) const;
-  std::string between(long a, const Node *b) const;
+  std::string between(long a, const Node *b);
   std::string fixedText(const Node *n) const;
   std::string operandText(const Node *n) const;
   std::string initial(const Value &v) const;
   std::string onceText(const Value &v) const;
-  std::string general(const Value &v) const;
-  std::string mathGeneral(const Value &v) const;
+  std::string general(const Value &v);
+  std::string mathGeneral(const Value &v);
   std::string keep(const Value &v, bool first) const;
   std::string follow(const std::string &k) const;
+  std::string makeLater();
+  long state(const Node *leaf) const;
+  std::string once(const Value &v) const;
 
   Graph &graph_;
   std::vector<Node *> accelerations_, fixed_;
@@ -74,6 +78,8 @@ private:
   mutable std::unordered_map<const Node *, bool> varies_;
   Graph::Replacement prepared_;
   long rows_ = 0, onces_ = 0;
+  std::vector<std::pair<long, long>> pairs_;
+  std::string later_;
 };
 
 } // namespace tlgen
