@@ -163,9 +163,8 @@ static int call(reader *r, int function) {
 
 static bool is(const char *name, const char *word) { return strcmp(name, word) == 0; }
 
-/* The coordinate of that name; -1 for none. */
-static int coordinate(const model *m, const char *name) {
-  const char *const *names = m->description->coordinate;
+/* Which of the coordinates or velocities has that name; -1 for none, also where names is null. */
+static int component(const model *m, const char *const *names, const char *name) {
   const int n = names != NULL ? m->description->model->dof(m->params) : 0;
   for (int i = 0; i < n; i++)
     if (is(name, names[i])) return i;
@@ -199,8 +198,11 @@ static int named(reader *r) {
     if (r->names >= own[i].least && is(name, own[i].name)) return element(r, (node){.op = own[i].op, .a = -1, .b = -1}, own[i].array);
   const eom_parameter *p = r->names >= FORMULA_STATE ? model_parameter(r->m, name, length) : NULL;
   if (p != NULL) return element(r, (node){.op = PARAMETER, .p = p, .a = -1, .b = -1}, p->count > 0);
-  const int i = r->names >= FORMULA_STATE ? coordinate(r->m, name) : -1;
-  if (i >= 0) return put(r, (node){.op = Q, .a = put(r, (node){.op = NUMBER, .value = i, .a = -1, .b = -1}), .b = -1});
+  for (operation op = Q; r->names >= FORMULA_STATE && op <= QD; op++) {
+    const eom_description *d = r->m->description;
+    const int i = component(r->m, op == Q ? d->coordinate : d->velocity, name);
+    if (i >= 0) return put(r, (node){.op = op, .a = put(r, (node){.op = NUMBER, .value = i, .a = -1, .b = -1}), .b = -1});
+  }
   if (is(name, "pi")) return put(r, (node){.op = NUMBER, .value = acos(-1.0), .a = -1, .b = -1});
   for (int f = 0; f < FUNCTIONS; f++)
     if (is(name, functions[f].name)) return call(r, f);

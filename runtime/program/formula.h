@@ -19,7 +19,7 @@ typedef struct formula_point {
 /* What names a formula may use. */
 typedef enum formula_names {
   FORMULA_CONSTANTS, /* pi alone */
-  FORMULA_STATE,     /* and t, q, qd, the coordinates' own names, parameters */
+  FORMULA_STATE,     /* and t, q, qd, the coordinates' and velocities' own names, parameters */
   FORMULA_DRAWING    /* and x, y, k */
 } formula_names;
 

@@ -98,6 +98,8 @@ static void print_sizes(const setup *s) {
   printf("Coordinates: %d", s->n);
   if (s->model.description->coordinate != NULL)
     for (int i = 0; i < s->n; i++) printf("%s %s", i == 0 ? ":" : ",", component_name(s, i));
+  if (s->model.description->velocity != NULL)
+    for (int i = 0; i < s->n; i++) printf("%s %s", i == 0 ? "; velocities:" : ",", component_name(s, s->n + i));
   printf("\nConstraint rows: %d holonomic, %d nonholonomic\n", s->sys->m1, s->sys->m2);
   print_who(s);
 }

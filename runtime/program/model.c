@@ -168,6 +168,11 @@ static const char *unfit(const eom_parameter *p, double value) {
   const int bits = 8 * (int)p->size - (p->number == EOM_NUMBER_INTEGER);
   if (value >= ldexp(1.0, bits)) return "it is too large for the type of this member";
   if (value < (p->number == EOM_NUMBER_INTEGER ? -ldexp(1.0, bits) : 0.0)) return "it is too small for the type of this member";
+  if (p->most > 0 && value > p->most) {
+    static char text[96];
+    snprintf(text, sizeof text, "it may be %d at most: with more the model would leave its arrays", p->most);
+    return text;
+  }
   return NULL;
 }
 

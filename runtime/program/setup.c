@@ -231,10 +231,13 @@ const char *component_name(const setup *s, int i) {
   static char ring[4][MOST_NAME];
   static int next;
   char *name = ring[next++ % 4];
-  const char *const *own = s->model.description->coordinate;
+  const eom_description *d = s->model.description;
   const int k = i % s->n;
-  if (own != NULL)
-    snprintf(name, MOST_NAME, i < s->n ? "%s" : "%s_dot", own[k]);
+  const bool velocity = i >= s->n;
+  if (velocity && d->velocity != NULL)
+    snprintf(name, MOST_NAME, "%s", d->velocity[k]);
+  else if (d->coordinate != NULL)
+    snprintf(name, MOST_NAME, velocity ? "%s_dot" : "%s", d->coordinate[k]);
   else
     snprintf(name, MOST_NAME, i < s->n ? "q[%d]" : "qd[%d]", k);
   return name;
@@ -247,6 +250,10 @@ int component_named(const setup *s, const char *name) {
   if (i >= 0 && i < s->n && length == 2 && memcmp(name, "qd", 2) == 0) return s->n + i;
   for (int k = 0; k < 2 * s->n; k++)
     if (strcmp(component_name(s, k), name) == 0) return k;
+  for (int k = 0; k < s->n && s->model.description->coordinate != NULL; k++) { /* whatever the velocities are called */
+    const size_t own = strlen(s->model.description->coordinate[k]);
+    if (strncmp(name, s->model.description->coordinate[k], own) == 0 && strcmp(name + own, "_dot") == 0) return s->n + k;
+  }
   return -1;
 }
 

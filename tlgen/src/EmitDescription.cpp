@@ -1,6 +1,8 @@
 // The table of parameters: one row per member that holds numbers, in the order of memory.
 #include "EmitDescription.h"
 
+#include "MemoryCheck.h"
+
 #include <sstream>
 
 namespace tlgen {
@@ -68,6 +70,8 @@ private:
       text_ += "  EOM_MEMBER_NONE(" + at + ", " + comment + "),\n";
     else if (type->kind == Type::Array)
       text_ += "  EOM_MEMBER_ARRAY(" + at + ", " + std::to_string(type->count) + ", " + kind + ", " + comment + "),\n";
+    else if (const long most = type->kind == Type::Integer && kind != "BOOL" ? largestSize(program_, model_, name) : 0; most > 0)
+      text_ += "  EOM_MEMBER_UP_TO(" + at + ", " + std::to_string(most) + ", " + kind + ", " + comment + "),\n";
     else
       text_ += "  EOM_MEMBER(" + at + ", " + kind + ", " + comment + "),\n";
     ++count_;
@@ -86,13 +90,13 @@ private:
   size_t count_ = 0;
 };
 
-// The names of coordinates that are arguments of the Lagrangian one by one; empty where it takes an array.
-std::string coordinates(const Model &model) {
+// The names of coordinates or velocities that are arguments of the Lagrangian one by one; empty where it takes an array.
+std::string namesOf(const Model &model, ArgRole role) {
   std::vector<std::string> names;
   for (const ModelFunction &f : model.functions)
     for (size_t k = 0; f.role == Role::Lagrangian && k < f.args.size(); ++k) {
       const Arg &arg = f.args[k];
-      if (arg.role != ArgRole::Q || arg.index < 0) continue;
+      if (arg.role != role || arg.index < 0) continue;
       if (names.size() <= static_cast<size_t>(arg.index)) names.resize(static_cast<size_t>(arg.index) + 1);
       names[static_cast<size_t>(arg.index)] = f.function->params[k]->name;
     }
@@ -108,7 +112,7 @@ std::string coordinates(const Model &model) {
 } // namespace
 
 std::string emitDescription(const Program &program, const Model &model, bool motion) {
-  std::string s, parameters = "NULL", count = "0", names = "NULL";
+  std::string s, parameters = "NULL", count = "0", names;
   if (model.params) {
     ParameterTable table(program, model);
     const std::string rows = table.rows();
@@ -118,12 +122,13 @@ std::string emitDescription(const Program &program, const Model &model, bool mot
       s += "\nstatic const eom_parameter " + parameters + "[] = {\n" + rows + "};\n";
     }
   }
-  if (const std::string list = coordinates(model); !list.empty()) {
-    names = model.name + "_coordinate";
-    s += "\nstatic const char *const " + names + "[] = {" + list + "};\n";
+  for (const ArgRole role : {ArgRole::Q, ArgRole::Qd}) {
+    const std::string list = namesOf(model, role), array = model.name + (role == ArgRole::Q ? "_coordinate" : "_velocity");
+    names += list.empty() ? ", NULL" : ", " + array;
+    if (!list.empty()) s += "\nstatic const char *const " + array + "[] = {" + list + "};\n";
   }
   return s + "\nconst eom_description " + model.name + "_description = {EOM_DESCRIPTION_VERSION, sizeof(eom_model), " +
-         (motion ? "sizeof(eom_motion)" : "0") + ", &" + model.name + "_model, " + parameters + ", " + count + ", " + names +
+         (motion ? "sizeof(eom_motion)" : "0") + ", &" + model.name + "_model, " + parameters + ", " + count + names +
          "};\n\n"
          "#ifdef EOM_SHARED_MODEL /* the model of a shared object */\n"
          "const eom_description *eom_shared_model(void)\n{\n  return &" +

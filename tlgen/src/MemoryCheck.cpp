@@ -14,6 +14,27 @@ void MemoryCheck::run() {
   }
 }
 
+namespace {
+
+bool leavesArray(const Program &program, const Model &model, const std::string &member, long size) {
+  Diagnostics found;
+  MemoryCheck(program, model, found, {{member, size}}).run();
+  return found.has("index-range");
+}
+
+} // namespace
+
+long largestSize(const Program &program, const Model &model, const std::string &member) {
+  const long mostSize = 120; // of the rounds that loops are run for
+  if (!leavesArray(program, model, member, mostSize) || leavesArray(program, model, member, 0)) return 0;
+  long good = 0, bad = mostSize;
+  while (bad - good > 1) {
+    const long middle = (good + bad) / 2;
+    (leavesArray(program, model, member, middle) ? bad : good) = middle;
+  }
+  return good;
+}
+
 void MemoryCheck::runModel(const ModelFunction &f) {
   state_ = {};
   state_.live = true;
@@ -45,7 +66,8 @@ Cells MemoryCheck::argument(const ModelFunction &f, size_t i) {
   Count count = arg.role != ArgRole::Out || f.role == Role::Force ? model_.dof : f.rows;
   cell.assigned = arg.role != ArgRole::Out || f.role == Role::Force; // the runtime sets a force's results to zero before
   int id = object(0, &arg, param->name, param->type);
-  store(id, arrayOf({cell}, count.member.empty() ? count.value : -1));
+  auto size = sizes_.find(count.member);
+  store(id, arrayOf({cell}, count.member.empty() ? count.value : size != sizes_.end() ? size->second : -1));
   Cell pointer;
   pointer.value = Value::pointer(id, Range::of(0));
   return {pointer};

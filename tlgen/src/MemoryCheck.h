@@ -9,9 +9,10 @@
 // where every pass over that place is one; for an index, only conditions on values that depend on q, qd or t may stand before it then.
 // A helper that reads what has no value is the fault of the function that the variable belongs to, at the call.
 //
-// Not followed: members of the parameter struct and what they point to, calls deeper than maxDepth, objects of more than maxLeaves
-// numbers, anything behind maxSteps steps. An array that lies in another (a row, a member) counts as one with its neighbours once a
-// pointer to it is kept, because programs do walk over them. To copy a struct before all of it has values is no fault.
+// Not followed: members of the parameter struct but those whose values are given, and what they point to, calls deeper than maxDepth,
+// objects of more than maxLeaves numbers, anything behind maxSteps steps. An array that lies in another (a row, a member) counts as one
+// with its neighbours once a pointer to it is kept, because programs do walk over them. To copy a struct before all of it has values is
+// no fault.
 #ifndef TLGEN_MEMORYCHECK_H
 #define TLGEN_MEMORYCHECK_H
 
@@ -24,7 +25,9 @@ namespace tlgen {
 
 class MemoryCheck {
 public:
-  MemoryCheck(const Program &program, const Model &model, Diagnostics &diags) : program_(program), model_(model), diags_(diags) {}
+  // sizes: what members of the parameter struct are, by their names.
+  MemoryCheck(const Program &program, const Model &model, Diagnostics &diags, std::map<std::string, long> sizes = {})
+      : program_(program), model_(model), diags_(diags), sizes_(std::move(sizes)) {}
 
   // Runs all model functions and reports what is found.
   void run();
@@ -127,6 +130,7 @@ private:
   const Program &program_;
   const Model &model_;
   Diagnostics &diags_;
+  const std::map<std::string, long> sizes_;
   struct Named {
     size_t depth; // of the frame that it belongs to
     std::string name;
@@ -140,6 +144,10 @@ private:
   long steps_ = 0;
   std::map<std::tuple<const Expr *, int, unsigned, unsigned, std::string>, Finding> findings_; // accesses, and reads of variables
 };
+
+// The largest value of an integer member of the parameter struct with which no access is sure to leave its array, where larger ones
+// are; 0 where none is known. Values that loops are not run for round by round are not tried.
+long largestSize(const Program &program, const Model &model, const std::string &member);
 
 } // namespace tlgen
 

@@ -98,6 +98,12 @@ Cells MemoryCheck::eval(const Expr *e) {
 }
 
 // The value of an lvalue. A struct may be read before all of it has values.
+// Of which a member is read.
+static const Record *recordOf(const Expr *member) {
+  const Type *base = member->args[0]->type;
+  return (member->arrow ? base->element : base)->record;
+}
+
 Cells MemoryCheck::load(const Expr *e) {
   Place p = place(e);
   Cells cells = read(p, std::max(1L, leaves(e->type)), e);
@@ -105,6 +111,8 @@ Cells MemoryCheck::load(const Expr *e) {
   demandValue(cells[0], p, e);
   cells[0].assigned = true;
   if (e->type->kind == Type::Real) cells[0].value.range = {};
+  if (e->kind == Expr::Member && recordOf(e) == model_.params)
+    if (auto size = sizes_.find(e->text); size != sizes_.end()) cells[0].value.range = Range::of(size->second);
   return cells;
 }
 
@@ -300,8 +308,7 @@ MemoryCheck::Place MemoryCheck::member(const Expr *e) {
     p.pointer = value(base);
   else
     p = place(base);
-  const Record *record = (e->arrow ? base->type->element : base->type)->record;
-  p.pointer = moved(p.pointer, Range::of(fieldOffset(record, e->text)));
+  p.pointer = moved(p.pointer, Range::of(fieldOffset(recordOf(e), e->text)));
   return p;
 }
 

@@ -29,10 +29,10 @@ bool inHeaders(const std::string &name) {
 
 bool reservedOutside(const std::string &name, const std::string &model) {
   static const std::set<std::string> adapters = {"q", "qd", "t", "params", "out"},
-                                     last = {"dof",          "model",        "description", "parameter",  "coordinate", "member",
-                                             "holonomic",    "nonholonomic", "fits",        "motion",     "motions",    "sites",
-                                             "energy",       "simulate",     "residual",    "linearise",  "tangent",    "parameters",
-                                             "acceleration", "jacobian",     "directional", "constrained"};
+                                     last = {"dof",        "model",        "description",  "parameter",   "coordinate", "velocity",
+                                             "member",     "holonomic",    "nonholonomic", "fits",        "motion",     "motions",
+                                             "sites",      "energy",       "simulate",     "residual",    "linearise",  "tangent",
+                                             "parameters", "acceleration", "jacobian",     "directional", "constrained"};
   if (reservedInside(name) || inHeaders(name) || adapters.count(name)) return true;
   if (!startsWith(name, model + "_")) return false;
   std::string rest = name.substr(model.size() + 1);

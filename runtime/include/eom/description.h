@@ -28,17 +28,19 @@ typedef struct eom_parameter {
   size_t size;   /* bytes of one number */
   size_t offset; /* bytes from the beginning of the struct */
   int count;     /* of an array; 0 for a single number */
+  int most;      /* of a single integer: with a larger one the model leaves its arrays; 0: not that tlgen knows */
 } eom_parameter;
 
 /* Rows of the table: a number, an array of numbers, and what is neither, of a struct type. kind is REAL, INTEGER, UNSIGNED or BOOL. */
-#define EOM_MEMBER(type, member, kind, text)                                                                                           \
-  {#member, text, EOM_NUMBER_##kind, sizeof(((type *)NULL)->member), offsetof(type, member), 0}
+#define EOM_MEMBER(type, member, kind, text) EOM_MEMBER_UP_TO(type, member, 0, kind, text)
+#define EOM_MEMBER_UP_TO(type, member, most, kind, text)                                                                               \
+  {#member, text, EOM_NUMBER_##kind, sizeof(((type *)NULL)->member), offsetof(type, member), 0, most}
 #define EOM_MEMBER_ARRAY(type, member, count, kind, text)                                                                              \
-  {#member, text, EOM_NUMBER_##kind, sizeof(((type *)NULL)->member[0]), offsetof(type, member), count}
-#define EOM_MEMBER_NONE(type, member, text) {#member, text, EOM_NUMBER_NONE, 0, offsetof(type, member), 0}
+  {#member, text, EOM_NUMBER_##kind, sizeof(((type *)NULL)->member[0]), offsetof(type, member), count, 0}
+#define EOM_MEMBER_NONE(type, member, text) {#member, text, EOM_NUMBER_NONE, 0, offsetof(type, member), 0, 0}
 
 /* Changes with the meaning of what a model is made of, and holds the size of a number. */
-#define EOM_DESCRIPTION_VERSION (2u << 8 | (unsigned)sizeof(tl_real))
+#define EOM_DESCRIPTION_VERSION (3u << 8 | (unsigned)sizeof(tl_real))
 
 typedef struct eom_description {
   unsigned version;       /* EOM_DESCRIPTION_VERSION of the headers that the model was compiled with. Always the first member, */
@@ -48,6 +50,7 @@ typedef struct eom_description {
   const eom_parameter *parameter;
   int nparameter;
   const char *const *coordinate; /* n names, where the Lagrangian takes its coordinates one by one; null where they are an array */
+  const char *const *velocity;   /* likewise of velocities */
 } eom_description;
 
 /* What a shared object exports whose generated source was compiled with -DEOM_SHARED_MODEL. */

@@ -86,7 +86,9 @@ static const eom_parameter arm_member[] = {
 
 static const char *const arm_coordinate[] = {"x", "theta"};
 
-const eom_description arm_description = {EOM_DESCRIPTION_VERSION, sizeof(eom_model), 0, &arm_model, arm_member, 13, arm_coordinate};
+static const char *const arm_velocity[] = {"xd", "thetad"};
+
+const eom_description arm_description = {EOM_DESCRIPTION_VERSION, sizeof(eom_model), 0, &arm_model, arm_member, 13, arm_coordinate, arm_velocity};
 
 #ifdef EOM_SHARED_MODEL /* the model of a shared object */
 const eom_description *eom_shared_model(void)

@@ -326,7 +326,7 @@ static const eom_parameter bead_member[] = {
   EOM_MEMBER(struct bead, spin, REAL, "kg, m/s^2, N s/m, 1/s"),
 };
 
-const eom_description bead_description = {EOM_DESCRIPTION_VERSION, sizeof(eom_model), sizeof(eom_motion), &bead_model, bead_member, 4, NULL};
+const eom_description bead_description = {EOM_DESCRIPTION_VERSION, sizeof(eom_model), sizeof(eom_motion), &bead_model, bead_member, 4, NULL, NULL};
 
 #ifdef EOM_SHARED_MODEL /* the model of a shared object */
 const eom_description *eom_shared_model(void)

@@ -322,7 +322,7 @@ static const eom_parameter constraints_member[] = {
   EOM_MEMBER(struct linkage, ratio, REAL, NULL),
 };
 
-const eom_description constraints_description = {EOM_DESCRIPTION_VERSION, sizeof(eom_model), 0, &constraints_model, constraints_member, 4, NULL};
+const eom_description constraints_description = {EOM_DESCRIPTION_VERSION, sizeof(eom_model), 0, &constraints_model, constraints_member, 4, NULL, NULL};
 
 #ifdef EOM_SHARED_MODEL /* the model of a shared object */
 const eom_description *eom_shared_model(void)

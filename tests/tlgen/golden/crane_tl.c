@@ -278,7 +278,7 @@ static const eom_parameter crane_member[] = {
   EOM_MEMBER(struct crane, sections, INTEGER, NULL),
 };
 
-const eom_description crane_description = {EOM_DESCRIPTION_VERSION, sizeof(eom_model), 0, &crane_model, crane_member, 4, NULL};
+const eom_description crane_description = {EOM_DESCRIPTION_VERSION, sizeof(eom_model), 0, &crane_model, crane_member, 4, NULL, NULL};
 
 #ifdef EOM_SHARED_MODEL /* the model of a shared object */
 const eom_description *eom_shared_model(void)

@@ -229,7 +229,7 @@ const eom_model damper_model = {
   .nmotion = 1,
 };
 
-const eom_description damper_description = {EOM_DESCRIPTION_VERSION, sizeof(eom_model), sizeof(eom_motion), &damper_model, NULL, 0, NULL};
+const eom_description damper_description = {EOM_DESCRIPTION_VERSION, sizeof(eom_model), sizeof(eom_motion), &damper_model, NULL, 0, NULL, NULL};
 
 #ifdef EOM_SHARED_MODEL /* the model of a shared object */
 const eom_description *eom_shared_model(void)

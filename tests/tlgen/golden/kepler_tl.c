@@ -238,7 +238,7 @@ const eom_model kepler_model = {
   .nmotion = 1,
 };
 
-const eom_description kepler_description = {EOM_DESCRIPTION_VERSION, sizeof(eom_model), sizeof(eom_motion), &kepler_model, NULL, 0, NULL};
+const eom_description kepler_description = {EOM_DESCRIPTION_VERSION, sizeof(eom_model), sizeof(eom_motion), &kepler_model, NULL, 0, NULL, NULL};
 
 #ifdef EOM_SHARED_MODEL /* the model of a shared object */
 const eom_description *eom_shared_model(void)

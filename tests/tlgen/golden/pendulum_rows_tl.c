@@ -282,13 +282,13 @@ const eom_model pendulum_rows_model = {
 };
 
 static const eom_parameter pendulum_rows_member[] = {
-  EOM_MEMBER(struct pendulum, n, INTEGER, "number of links, 1..PENDULUM_MAX_LINKS"),
+  EOM_MEMBER_UP_TO(struct pendulum, n, 64, INTEGER, "number of links, 1..PENDULUM_MAX_LINKS"),
   EOM_MEMBER(struct pendulum, g, REAL, "gravity, m/s^2"),
   EOM_MEMBER_ARRAY(struct pendulum, mass, 64, REAL, "mass at the end of each link, kg"),
   EOM_MEMBER_ARRAY(struct pendulum, length, 64, REAL, "length of each link, m"),
 };
 
-const eom_description pendulum_rows_description = {EOM_DESCRIPTION_VERSION, sizeof(eom_model), sizeof(eom_motion), &pendulum_rows_model, pendulum_rows_member, 4, NULL};
+const eom_description pendulum_rows_description = {EOM_DESCRIPTION_VERSION, sizeof(eom_model), sizeof(eom_motion), &pendulum_rows_model, pendulum_rows_member, 4, NULL, NULL};
 
 #ifdef EOM_SHARED_MODEL /* the model of a shared object */
 const eom_description *eom_shared_model(void)
