@@ -15,31 +15,28 @@ static const double least_tolerance = 1e-100;
 
 const method method_default = {.rtol = -1.0, .atol = -1.0}; /* not given */
 
+option method_name(const char **name, const char *help) {
+  return (option){.name = "--method", .kind = OPTION_TEXT, .value = name, .operand = "NAME", .help = help};
+}
+
+option method_rtol(double *rtol, const char *help) {
+  return (option){.name = "--rtol", .kind = OPTION_REAL, .value = rtol, .most = 1.0, .operand = "TOL", .help = help};
+}
+
+option method_atol(double *atol, const char *help) {
+  return (option){.name = "--atol", .kind = OPTION_REAL, .value = atol, .most = HUGE_VAL, .operand = "TOL", .help = help};
+}
+
+option method_step(double *step, const char *help) {
+  return (option){.name = "--step", .kind = OPTION_ABOVE, .value = step, .most = HUGE_VAL, .operand = "H", .help = help};
+}
+
 void method_options(method *m, option *table) {
   const option own[METHOD_OPTIONS] = {
-      {.name = "--method",
-       .kind = OPTION_TEXT,
-       .value = &m->name,
-       .operand = "NAME",
-       .help = "how to integrate, see below; default dop853"},
-      {.name = "--rtol",
-       .kind = OPTION_REAL,
-       .value = &m->rtol,
-       .most = 1.0,
-       .operand = "TOL",
-       .help = "relative tolerance of each step; default 1e-10"},
-      {.name = "--atol",
-       .kind = OPTION_REAL,
-       .value = &m->atol,
-       .most = HUGE_VAL,
-       .operand = "TOL",
-       .help = "absolute tolerance of each step; default 1e-10"},
-      {.name = "--step",
-       .kind = OPTION_ABOVE,
-       .value = &m->step,
-       .most = HUGE_VAL,
-       .operand = "H",
-       .help = "fixed steps of H s in the place of tolerances"},
+      method_name(&m->name, "how to integrate, see below; default dop853"),
+      method_rtol(&m->rtol, "relative tolerance of each step; default 1e-10"),
+      method_atol(&m->atol, "absolute tolerance of each step; default 1e-10"),
+      method_step(&m->step, "fixed steps of H s in the place of tolerances"),
       {.name = "--no-projection",
        .kind = OPTION_FLAG,
        .value = &m->free,

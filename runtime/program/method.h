@@ -18,6 +18,12 @@ typedef struct method {
 
 extern const method method_default;
 
+/* Rows of a command's table, with what each means there. */
+option method_name(const char **name, const char *help);
+option method_rtol(double *rtol, const char *help);
+option method_atol(double *atol, const char *help);
+option method_step(double *step, const char *help);
+
 /* Writes the rows of METHOD_OPTIONS options at table. */
 void method_options(method *m, option *table);
 

@@ -27,19 +27,8 @@ static void read_command(command *c, int argc, char **argv) {
   char summary[8192];
   option table[SETUP_OPTIONS + METHOD_OPTIONS + OWN_OPTIONS];
   const option own[OWN_OPTIONS] = {
-      {.name = "--t-end",
-       .kind = OPTION_REAL,
-       .value = &c->t_end,
-       .least = -HUGE_VAL,
-       .most = HUGE_VAL,
-       .operand = "T",
-       .help = "time at the end, s; before --t0: backwards; default 10"},
-      {.name = "--every",
-       .kind = OPTION_ABOVE,
-       .value = &c->every,
-       .most = HUGE_VAL,
-       .operand = "DT",
-       .help = "time from row to row, s; default: a thousand rows"},
+      setup_t_end(&c->t_end, "time at the end, s; before --t0: backwards; default 10"),
+      setup_every(&c->every, "time from row to row, s; default: a thousand rows"),
       {.name = "--column",
        .kind = OPTION_TEXTS,
        .value = &c->columns,

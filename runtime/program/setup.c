@@ -318,6 +318,15 @@ void setup_read(setup *s, int argc, char **argv, const option *table, int count,
   if (s->model.path == NULL) usage_error("which model? eom %s MODEL.so", text->command);
 }
 
+option setup_t_end(double *t_end, const char *help) {
+  return (option){
+      .name = "--t-end", .kind = OPTION_REAL, .value = t_end, .least = -HUGE_VAL, .most = HUGE_VAL, .operand = "T", .help = help};
+}
+
+option setup_every(double *every, const char *help) {
+  return (option){.name = "--every", .kind = OPTION_ABOVE, .value = every, .most = HUGE_VAL, .operand = "DT", .help = help};
+}
+
 void setup_options(setup *s, option *table) {
   const option own[SETUP_OPTIONS] = {
       {.name = "--start",

@@ -29,6 +29,10 @@ typedef struct setup {
   option_texts set;
 } setup;
 
+/* Rows of a command's table that follows a motion, with their help. */
+option setup_t_end(double *t_end, const char *help);
+option setup_every(double *every, const char *help);
+
 /* Writes the rows of SETUP_OPTIONS options at table. */
 void setup_options(setup *s, option *table);
 

@@ -34,13 +34,7 @@ static void read_command(command *c, int argc, char **argv) {
   char whole[8192];
   option table[SETUP_OPTIONS + METHOD_OPTIONS + OWN_OPTIONS];
   const option own[] = {
-      {.name = "--t-end",
-       .kind = OPTION_REAL,
-       .value = &c->t_end,
-       .least = -HUGE_VAL,
-       .most = HUGE_VAL,
-       .operand = "T",
-       .help = "time at the end, s; default 10"},
+      setup_t_end(&c->t_end, "time at the end, s; default 10"),
       {.name = "--line",
        .kind = OPTION_TEXTS,
        .value = &c->lines,
