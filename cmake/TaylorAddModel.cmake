@@ -150,15 +150,20 @@ function(taylor_add_model target)
   taylor_model_options(${target})
   target_include_directories(${target} PUBLIC ${folder} ${arg_INCLUDE_DIRECTORIES})
   target_link_libraries(${target} PUBLIC taylor::eom)
-  if(arg_SHARED) # what it calls of libtaylor is in the program that loads it
-    add_library(${target}_shared MODULE ${output})
-    taylor_model_options(${target}_shared)
+  if(arg_SHARED)
+    # Compiled once for both. What it calls of libtaylor is in the program that loads it.
+    set_target_properties(${target} PROPERTIES POSITION_INDEPENDENT_CODE ON)
+    target_compile_options(${target} PRIVATE $<$<C_COMPILER_ID:GNU>:-fno-semantic-interposition>)
+    file(CONFIGURE OUTPUT ${folder}/${arg_MODEL}_shared.c @ONLY CONTENT [[
+/* What the shared object @arg_MODEL@.so exports to the program eom. */
+#include "@arg_MODEL@_tl.h"
+const eom_description *eom_shared_model(void) { return &@arg_MODEL@_description; }
+]])
+    add_library(${target}_shared MODULE ${folder}/${arg_MODEL}_shared.c $<TARGET_OBJECTS:${target}>)
     set_target_properties(${target}_shared PROPERTIES PREFIX "" OUTPUT_NAME ${arg_MODEL})
-    target_compile_definitions(${target}_shared PRIVATE EOM_SHARED_MODEL)
     target_include_directories(${target}_shared PRIVATE ${folder} ${arg_INCLUDE_DIRECTORIES}
       $<TARGET_PROPERTY:taylor::eom,INTERFACE_INCLUDE_DIRECTORIES> $<TARGET_PROPERTY:taylor::taylor,INTERFACE_INCLUDE_DIRECTORIES>)
     target_link_libraries(${target}_shared PRIVATE m)
-    add_dependencies(${target}_shared ${target}) # tlgen runs once
   endif()
   if(arg_SELFTEST)
     add_executable(${target}_selftest ${test})

@@ -22,6 +22,7 @@ static const char style[] =
     "table{border-collapse:collapse;font-size:.86rem;font-variant-numeric:tabular-nums;margin:.6rem 0}"
     "caption{text-align:left;font-weight:600;padding:.3rem 0}"
     "th,td{padding:.2rem .6rem;border-bottom:1px solid var(--rule);text-align:left;vertical-align:top}"
+    "td:not(.n)+td:not(.n){overflow-wrap:anywhere}"
     "th{color:var(--soft);font-weight:600}td.n,th.n{text-align:right;white-space:nowrap}\n"
     ".figures{display:grid;grid-template-columns:repeat(auto-fit,minmax(min(100%,26rem),34rem));gap:1.2rem 1.6rem}\n"
     "figure{margin:0;min-width:0;max-width:34rem}figcaption{font-weight:600}figure p{margin:.3rem "
