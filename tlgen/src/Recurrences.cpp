@@ -4,6 +4,7 @@
 #include "Trace.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace tlgen {
@@ -30,6 +31,9 @@ std::string partner(const std::string &function) {
   return known == partners.end() ? "" : known->second;
 }
 
+// Of a root and whole powers.
+bool hasRoot(double exponent) { return std::fabs(exponent) < mostPower && exponent - std::floor(exponent) == 0.5; }
+
 long differentiated(const Node *power) { return power->text == "tl_power" ? power->args[2]->offset : 0; }
 
 } // namespace
@@ -50,7 +54,23 @@ bool Recurrences::varies(const Node *n) const {
   return varies_[n] = is;
 }
 
-// The same value, where powers with few factors are products and hypot is a root: their recurrences divide by nothing.
+// Roots, reciprocals, and products of powers of one base, as a power of it.
+Recurrences::Power Recurrences::powerOf(Node *n) {
+  if (n->op == Node::Math && n->text == "sqrt") return {n->args[0], 0.5};
+  if (n->op == Node::Recip) {
+    const Power of = powerOf(n->args[0]);
+    return {of.base, -of.exponent};
+  }
+  if (n->op == Node::Mul) {
+    const Power a = powerOf(n->args[0]), b = powerOf(n->args[1]);
+    if (a.base == b.base) return {a.base, a.exponent + b.exponent};
+  }
+  return {n, 1};
+}
+
+// The same value, where powers with few factors are products and hypot is a root: their recurrences divide by nothing. One over a
+// root's cube, or a higher odd power, is one power in the place of at least three other recurrences, each of which waits for the one
+// before.
 Node *Recurrences::prepared(Node *n) {
   auto known = prepared_.find(n);
   if (known != prepared_.end()) return known->second;
@@ -75,6 +95,9 @@ Node *Recurrences::prepared(Node *n) {
     made = graph_.math("sqrt", {graph_.add(square, other)});
   }
   if (!made) made = args == n->args ? n : graph_.rebuild(n, args);
+  const Power power = powerOf(made);
+  if (made->op == Node::Mul && power.exponent < -1 && hasRoot(power.exponent))
+    made = graph_.math("pow", {power.base, graph_.number(power.exponent)});
   prepared_[made] = made;
   return prepared_[n] = made;
 }
@@ -222,6 +245,12 @@ std::string Recurrences::initial(const Value &v) const {
   case Node::Recip:
     return "TL_C(1.0) / " + operandText(n->args[0]);
   default: {
+    if (n->text == "pow" && n->args[1]->isNumber() && n->args[1]->value < 0 && hasRoot(n->args[1]->value)) {
+      const std::string base = operandText(n->args[0]);
+      std::string product = "TL_LIBM(sqrt)(" + base + ")";
+      for (double left = n->args[1]->value; left < -1; ++left) product = base + " * " + product;
+      return "TL_C(1.0) / (" + product + ")";
+    }
     std::string args;
     for (const Node *arg : n->args) args += (args.empty() ? "" : ", ") + (arg->isConstant() ? str(arg->offset) : operandText(arg));
     return mathText(n->text, args).s;

@@ -44,7 +44,13 @@ private:
     std::string name() const { return "v" + std::to_string(place); } // of the coefficient under way
   };
 
+  struct Power {
+    Node *base;
+    double exponent;
+  };
+
   bool varies(const Node *n) const;
+  static Power powerOf(Node *n);
   Node *prepared(Node *n);
   Node *onePlusSquare(Node *x) const;
   void add(Node *n);

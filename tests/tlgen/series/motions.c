@@ -21,6 +21,7 @@ double polar_in_plane(const double *q, const double *qd) {
   const double vx = qd[0] * cos(q[1]) - q[0] * qd[1] * sin(q[1]), vy = qd[0] * sin(q[1]) + q[0] * qd[1] * cos(q[1]);
   return half_square(vx) + half_square(vy);
 }
+double attracted(const double *q, const double *qd) { return half_square(qd[0]) + half_square(qd[1]) + 1.0 / hypot(q[0], q[1]); }
 double swing(const double *q, const double *qd) { return half_square(qd[0]) + cos(q[0]); }
 double bob(const double *q, const double *qd) { return half_square(qd[0]) + half_square(qd[1]) - q[1]; }
 double rod(const double *q) { return hypot(q[0], q[1]) - 1.0; }

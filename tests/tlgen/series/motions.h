@@ -16,6 +16,7 @@ double cbrt_motion(const double *q, const double *qd);    /* x = q^(4/3) */
 double forced_motion(const double *q, const double *qd, double t); /* qdd = cos t */
 double polar_motion(const double *q, const double *qd);            /* a free point in radius and angle */
 double polar_in_plane(const double *q, const double *qd);          /* the same from velocities along fixed axes */
+double attracted(const double *q, const double *qd);               /* Kepler's problem */
 double swing(const double *q, const double *qd);                   /* a pendulum, m = l = g = 1: through the lowest point with 2 rad/s it
                                                                       comes to rest upright: qd = 2/cosh t */
 /* The same with x, y as coordinates, and its rod. */

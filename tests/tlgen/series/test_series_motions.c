@@ -1,5 +1,6 @@
 /* Coefficients of motions in time against closed forms, which libtaylor expands, at every order. */
 #include "arc_motion_tl.h"
+#include "attracted_tl.h"
 #include "bob_tl.h"
 #include "cbrt_motion_tl.h"
 #include "close.h"
@@ -159,6 +160,22 @@ static void two_coordinates(void **state) {
   assert_true(polar_in_plane_motion.work <= polar_motion_motion.work);
 }
 
+/* Away from the centre so that it comes to rest nowhere: r' = sqrt(2/r), r^(3/2) = r0^(3/2) + 3/sqrt(2) t. */
+static void escape(void **state) {
+  (void)state;
+  open_series();
+  const tl_real r = 0.8, c = cos(0.4), s = sin(0.4), speed = sqrt(2.0 / r);
+  const tl_real q[2] = {r * c, r * s}, qd[2] = {speed * c, speed * s};
+  tl_real coef[2 * SIZE], base[SIZE], truth[SIZE];
+  assert_int_equal(attracted_motion.taylor(NULL, q, qd, 0.0, MOST, coef, work), 0);
+  for (int i = 0; i < 2; i++) {
+    line(base, r * sqrt(r), 3.0 / sqrt(2.0));
+    tl_powc(&context, truth, base, 2.0 / 3.0);
+    for (int k = 0; k < SIZE; k++) truth[k] *= i == 0 ? c : s;
+    compare("escape", coef + i * SIZE, truth, MOST, 0.337);
+  }
+}
+
 /* q = 4 atan(e^t) - pi: qd = 2/cosh t; as x = sin q, y = -cos q, in time from 0.4 s on. */
 static void pendulum(void **state) {
   (void)state;
@@ -192,7 +209,7 @@ static void overflow_is_told(void **state) {
 int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(free_motions), cmocka_unit_test(in_time),          cmocka_unit_test(two_coordinates),
-      cmocka_unit_test(pendulum),     cmocka_unit_test(overflow_is_told),
+      cmocka_unit_test(escape), cmocka_unit_test(pendulum),     cmocka_unit_test(overflow_is_told),
   };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }
