@@ -2,9 +2,9 @@
 #include "controller.h"
 
 #include "matrix.h"
+#include "swing.h"
 
-#include <taylor/config.h>
-#include TL_MATH_HEADER
+#include <taylor/finite.h>
 
 static const tl_real PI = TL_C(3.14159265358979323846);
 
@@ -13,7 +13,7 @@ static const tl_real PI = TL_C(3.14159265358979323846);
 #define DRIFT TL_C(1e-6)
 
 void controller_init(controller *c, const plant_params *params, const tl_real *y) {
-  *c = (controller){.params = *params, .mode = CONTROL_SWING};
+  *c = (controller){.params = *params, .mode = CONTROL_REST};
   for (int i = 0; i < D; i++) {
     c->y[i] = y[i];
     c->P[D * i + i] = TL_C(1e-2);
@@ -52,42 +52,31 @@ static void discretise(controller *c) {
   }
 }
 
-/* y - (0, .., 0), angles between -pi and pi. */
-static void away(tl_real *e, const tl_real *y) {
-  for (int i = 0; i < D; i++) e[i] = i >= 1 && i < N ? TL_LIBM(remainder)(y[i], 2 * PI) : y[i];
+void controller_away(tl_real *e, const tl_real *y, const tl_real *from) {
+  for (int i = 0; i < D; i++) e[i] = i >= 1 && i < N ? TL_LIBM(remainder)(y[i] - from[i], 2 * PI) : y[i] - from[i];
 }
 
-static tl_real clamp(tl_real x, tl_real most) { return x > most ? most : x < -most ? -most : x; }
-
-/* The cart's acceleration a = k (E - E_up) cos(theta) theta' - (cart's position and speed): dE/dt = -m l cos(theta) theta' a/2 (Astrom
- * and Furuta 2000); the push that gives it, as qdd is affine in the push. */
-static int swing(controller *c, const tl_real *e, tl_real *push) {
-  const tl_real up[D] = {0};
-  tl_real energy, energy_up;
-  int status = plant_pole_energy(&energy, &c->params, c->y);
-  if (status == 0) status = plant_pole_energy(&energy_up, &c->params, up);
-  if (status != 0) return status;
-  const tl_real drive = TL_C(15.0) * (energy - energy_up) * e[N + 1] * TL_LIBM(cos)(e[1]);
-  const tl_real a = clamp(drive, TL_C(6.0)) - TL_C(4.0) * e[0] - TL_C(2.0) * e[N];
-  *push = c->params.push + (a - c->model.qdd[0]) / c->model.qdd_push[0];
-  return 0;
-}
-
-static int hold(controller *c, const tl_real *e, tl_real *push) {
-  tl_real weights[D];
-  for (int i = 0; i < D; i++) weights[i] = CONTROL_PERIOD * (i == 0 ? TL_C(10.0) : i < N ? TL_C(100.0) : TL_C(1.0));
-  if (!riccati_gain(c->K, c->A, c->B, weights, CONTROL_PERIOD * TL_C(0.1), &c->work)) return EOM_MOTION_PIVOT;
-  *push = TL_C(0.0);
-  for (int i = 0; i < D; i++) *push -= c->K[i] * e[i];
-  return 0;
-}
-
-/* Held from a cone around the upright position on, and until it has left a wider one. */
-static control_mode choose(control_mode mode, const tl_real *e) {
-  const tl_real cone = mode == CONTROL_HOLD ? TL_C(0.8) : TL_C(0.3);
+int controller_within(const tl_real *y, const tl_real *from, tl_real angle) {
+  tl_real e[D];
+  controller_away(e, y, from);
   for (int i = 1; i < N; i++)
-    if (!(e[i] < cone && e[i] > -cone)) return CONTROL_SWING;
-  return CONTROL_HOLD;
+    if (!(matrix_size(e[i]) < angle)) return 0;
+  return 1;
+}
+
+/* push = -K (y - to). */
+static tl_real feedback(const controller *c, const tl_real *to) {
+  tl_real e[D];
+  controller_away(e, c->y, to);
+  return -matrix_dot(D, c->K, e, 1);
+}
+
+int controller_regulate(controller *c, const tl_real *to, tl_real *push) {
+  tl_real weights[D];
+  for (int i = 0; i < D; i++) weights[i] = CONTROL_WEIGHT(i);
+  if (!riccati_gain(c->K, c->A, c->B, weights, CONTROL_WEIGHT_PUSH, &c->work)) return EOM_MOTION_PIVOT;
+  *push = feedback(c, to);
+  return 0;
 }
 
 /* y += h f + h^2 F f/2 with f = (qd, qdd), and P <- A P A' + drift. */
@@ -110,22 +99,54 @@ static void predict(controller *c) {
   matrix_add_symmetric(D, c->P, c->work.V1, c->A);
 }
 
-int controller_step(controller *c, const tl_real *measured) {
-  tl_real e[D], push = TL_C(0.0);
+static void keep(controller *c) {
+  for (int i = 0; i < D; i++) c->work.V1[i] = c->y[i];
+  for (int i = 0; i < D * D; i++) c->work.V2[i] = c->P[i];
+}
+
+static void take_back(controller *c) {
+  for (int i = 0; i < D; i++) c->y[i] = c->work.V1[i];
+  for (int i = 0; i < D * D; i++) c->P[i] = c->work.V2[i];
+}
+
+/* Held from a cone around the upright position on, and until it has left a wider one. */
+static int drive(controller *c, tl_real *push) {
+  const tl_real up[D] = {0};
+  discretise(c);
+  if (c->mode != CONTROL_HOLD || !controller_within(c->y, up, TL_C(0.8))) c->mode = swing_choose(c);
+  return c->mode == CONTROL_HOLD ? controller_regulate(c, up, push) : swing_push(c, push);
+}
+
+/* A step that has no model: sensors correct the estimate, as far as it stays finite, by the covariance of the last step that had one.
+ */
+static void coast(controller *c, const tl_real *measured) {
   correct(c, measured);
-  int status = plant_linearise(&c->model, &c->params, c->y);
-  if (status == 0) {
-    discretise(c);
-    away(e, c->y);
-    c->mode = choose(c->mode, e);
-    status = c->mode == CONTROL_HOLD ? hold(c, e, &push) : swing(c, e, &push);
+  if (!tl_finite_array(D, c->y)) take_back(c);
+  for (int i = 0; i < D * D; i++) c->P[i] = c->work.V2[i];
+  for (int i = 0; i < N; i++) c->y[i] += CONTROL_PERIOD * c->y[N + i];
+}
+
+int controller_step(controller *c, const tl_real *measured) {
+  const tl_real up[D] = {0};
+  const control_mode before = c->mode;
+  tl_real push = TL_C(0.0);
+  keep(c);
+  correct(c, measured);
+  const int told = plant_linearise(&c->model, &c->params, c->y);
+  int status = told;
+  if (told != 0) {
+    take_back(c);
+    status = plant_linearise(&c->model, &c->params, c->y);
   }
-  if (status != 0) push = TL_C(0.0);
-  push = clamp(push, CONTROL_MOST_PUSH);
-  if (status == 0) {
+  const int modelled = status == 0;
+  if (modelled) status = drive(c, &push);
+  if (status != 0) push = before == CONTROL_HOLD && c->mode == CONTROL_HOLD ? feedback(c, up) : TL_C(0.0);
+  push = controller_clamp(push, CONTROL_MOST_PUSH);
+  if (modelled) {
     for (int i = 0; i < N; i++) c->model.qdd[i] += c->model.qdd_push[i] * (push - c->params.push);
     predict(c);
-  }
+  } else
+    coast(c, measured);
   c->params.push = push;
-  return status;
+  return told != 0 ? told : status;
 }

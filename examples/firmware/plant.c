@@ -24,8 +24,8 @@ plant_params plant_default(void) {
 int plant_linearise(plant_model *model, const plant_params *params, const tl_real *y) {
   tl_real M[N * N], Q[N];
   const eom_parts parts = {.M = M, .Q = Q};
-  int status = PLANT(jacobian)(params, y, y + N, TL_C(0.0), model->qdd, model->qdd_y, NULL);
-  if (status == 0) status = PLANT(simulate)(params, y, y + N, TL_C(0.0), &parts, NULL);
+  int status = PLANT(simulate)(params, y, y + N, TL_C(0.0), &parts, NULL); /* first: it tells what is no number from what is singular */
+  if (status == 0) status = PLANT(jacobian)(params, y, y + N, TL_C(0.0), model->qdd, model->qdd_y, NULL);
   if (status == 0) status = PLANT(parameters)(params, y, y + N, TL_C(0.0), model->qdd, NULL, model->qdd_push, NULL, NULL);
   if (status != 0) return status;
   for (int i = 0; i < N; i++) model->qdd_push[i] = -model->qdd_push[i]; /* r = M qdd - Q = 0: M dqdd = -dr/dpush dpush */

@@ -48,20 +48,21 @@ static int doubling(riccati *s) {
   return 1;
 }
 
+int riccati_gain_of(tl_real *K, const tl_real *X, const tl_real *A, const tl_real *B, tl_real weight) {
+  tl_real XB[D], gain[D], below = weight;
+  for (int i = 0; i < D; i++) {
+    XB[i] = matrix_dot(D, X + D * i, B, 1);
+    below += B[i] * XB[i];
+  }
+  for (int j = 0; j < D; j++) gain[j] = matrix_dot(D, XB, A + j, D) / below;
+  if (!tl_finite_array(D, gain)) return 0;
+  for (int j = 0; j < D; j++) K[j] = gain[j];
+  return 1;
+}
+
 int riccati_gain(tl_real *K, const tl_real *A, const tl_real *B, const tl_real *weights, tl_real weight, riccati *s) {
   begin(s, A, B, weights, weight);
   for (int k = 0; k < RICCATI_DOUBLINGS; k++)
     if (!doubling(s)) return 0;
-  tl_real XB[D], below = weight;
-  for (int i = 0; i < D; i++) {
-    XB[i] = TL_C(0.0);
-    for (int j = 0; j < D; j++) XB[i] += s->H[D * i + j] * B[j];
-    below += B[i] * XB[i];
-  }
-  for (int j = 0; j < D; j++) {
-    tl_real above = TL_C(0.0);
-    for (int i = 0; i < D; i++) above += XB[i] * A[D * i + j];
-    K[j] = above / below;
-  }
-  return tl_finite_array(D, K);
+  return riccati_gain_of(K, s->H, A, B, weight);
 }

@@ -1,17 +1,24 @@
 /* Numbers as text, by integers alone. */
 #include "text.h"
 
+#include "console.h"
+
 #include <string.h>
 
-void text_clear(text *t) {
+static void flush(text *t) {
+  t->chars[t->length] = '\0';
   t->length = 0;
-  t->chars[0] = '\0';
+  console_write(t->chars);
 }
 
 static void add(text *t, char c) {
-  if (t->length + 1 >= (int)sizeof t->chars) return;
+  if (t->length + 1 == (int)sizeof t->chars) flush(t);
   t->chars[t->length++] = c;
-  t->chars[t->length] = '\0';
+}
+
+void text_end(text *t) {
+  add(t, '\n');
+  flush(t);
 }
 
 void text_add(text *t, const char *chars) {

@@ -1,4 +1,4 @@
-/* A line of text that is put together without the C library. What does not fit is cut. */
+/* Text that is put together without the C library and goes to the console whenever there is enough of it. */
 #ifndef TEXT_H
 #define TEXT_H
 
@@ -6,12 +6,15 @@
 #include <stdint.h>
 
 typedef struct text {
-  char chars[1024];
+  char chars[64];
   int length;
 } text;
 
-void text_clear(text *t);
 void text_add(text *t, const char *chars);
+
+/* The end of a line: what is left goes to the console. */
+void text_end(text *t);
+
 void text_add_count(text *t, uint32_t x);
 
 /* name and number, as y3. */

@@ -1,20 +1,19 @@
 #!/usr/bin/env bash
 # Accelerations and linearisation of the cart with poles in single precision against those in double, at 10000 random states; and the
 # regulator's gain in both against the Riccati recursion in long double.
-#   precision.sh TLGEN SOURCE-FOLDER POLES
+#   precision.sh SOURCE-FOLDER FOLDER POLES      FOLDER: as firmware_build.sh has left it
 set -euo pipefail
-tlgen=$1 root=$2 poles=$3
-for tool in python3 make; do command -v $tool >/dev/null || { echo "no $tool here"; exit 77; }; done
+root=$1 built=$2 poles=$3
+[ -x "$built/2-float-host" ] || { echo "no firmware here"; exit 77; }
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 check() { python3 "$root/tests/embedded/firmware.py" "$@"; }
 check random 10000 1 "$poles" >"$work/states"
 for real in float double; do
-  make -s -C "$root/examples/firmware" TLGEN="$tlgen" OUT="$work" POLES="$poles" REAL=$real derivatives >/dev/null
-  "$work/derivatives-$poles-$real" <"$work/states" >"$work/$real"
-  export=$(echo "$work/"*cart_pole-$real)
+  "$built/derivatives-$poles-$real" <"$work/states" >"$work/$real"
+  export=$built/$([ "$poles" = 1 ] && echo cart_pole || echo double_cart_pole)-$real
   cc -std=c11 -O2 -DPLANT_POLES="$poles" -I"$root/examples/firmware" -I"$export" -I"$export/include" "$root/tests/embedded/riccati.c" \
-    "$root/examples/firmware/riccati.c" "$root/examples/firmware/plant.c" "$export/"*_tl.c "$export/src/"*.c -lm -o "$work/riccati"
+    "$root/examples/firmware/riccati.c" "$root/examples/firmware/plant.c" "$export/"*_tl.c -lm -o "$work/riccati"
   "$work/riccati"
 done
 check precision "$work/float" "$work/double"

@@ -1,0 +1,52 @@
+#!/usr/bin/env bash
+# What the firmware does on a host.
+#   firmware_host.sh SOURCE-FOLDER FOLDER WHAT [POLES]      FOLDER: as firmware_build.sh has left it. WHAT:
+#     starts POLES       from several starts, with a machine that is not quite the expected one, the poles come to stand
+#     plan               the motion in flash is the one that plan.c computes, from itself and from nothing
+#     mathematics        its sine and cosine against the C library's
+#     plot               plot.gp draws its CSV
+set -euo pipefail
+root=$1 built=$2 what=$3 poles=${4:-1}
+source=$root/examples/firmware
+[ -x "$built/2-float-host" ] || { echo "no firmware here"; exit 77; }
+work=$(mktemp -d)
+trap 'rm -rf "$work"' EXIT
+fail() { echo "$*"; exit 1; }
+flags=(-std=c11 -O2 -ffp-contract=off -Wall -Wextra -Werror "-DTL_MATH_HEADER=\"mathematics.h\"" -I"$source")
+
+case $what in
+  starts)
+    export=$built/$([ "$poles" = 1 ] && echo cart_pole || echo double_cart_pole)-float
+    swing=("$source/swing_1.c")
+    [ "$poles" = 1 ] || swing=("$source/swing_2.c" "$source/reference.c" "$source/reference_table.c")
+    cc "${flags[@]}" -fsanitize=undefined -fno-sanitize-recover=all -DPLANT_POLES="$poles" -I"$export" -I"$export/include" "$root/tests/embedded/starts.c" \
+      "$source/"{loop,controller,riccati,plant}.c "${swing[@]}" "$export/"*_tl.c "$export/src/"*.c -lm -o "$work/starts"
+    "$work/starts" || fail "the poles have not come up"
+    ;;
+  plan)
+    python3 "$root/tests/embedded/firmware.py" table "$source/reference_table.c" <("$built/plan")
+    python3 "$root/tests/embedded/firmware.py" table "$source/reference_table.c" <("$built/plan" new)
+    sed '8s/[1-9]\.[1-9]/9.9/' "$source/reference_table.c" >"$work/wrong.c"
+    ! python3 "$root/tests/embedded/firmware.py" table "$work/wrong.c" "$source/reference_table.c" >/dev/null 2>&1 || fail "a wrong table goes unseen"
+    ;;
+  mathematics)
+    cc "${flags[@]}" "$root/tests/embedded/mathematics.c" -lm -o "$work/mathematics"
+    "$work/mathematics"
+    ;;
+  plot)
+    command -v gnuplot >/dev/null || { echo "no gnuplot here"; exit 77; }
+    for poles in 1 2; do
+      "$built/$poles-float-host" >"$work/run.csv"
+      draw() { (cd "$work" && gnuplot -e "csv='$1'; svg='run.svg'; poles=$poles" "$source/plot.gp"); }
+      draw run.csv
+      for text in 'cart, m' 'push, N' 't, s' "pole $poles" "estimate $poles"; do
+        grep -q ">$text<" "$work/run.svg" || grep -q "<tspan[^>]*>$text" "$work/run.svg" || fail "no '$text' in the drawing"
+      done
+      # A line of each column: gnuplot puts their points into path elements.
+      [ "$(grep -o '[ML][0-9.]*,[0-9.]*' "$work/run.svg" | wc -l)" -gt 800 ] || fail "too few points are drawn"
+      sed '1s/,push,/,pull,/' "$work/run.csv" >"$work/wrong.csv"
+      ! draw wrong.csv >/dev/null 2>&1 || fail "a column that is not there goes unseen"
+    done
+    ;;
+  *) fail "nothing of the name $what" ;;
+esac
