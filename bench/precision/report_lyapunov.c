@@ -159,6 +159,10 @@ static void draw_one_link(page *p, const char *folder, const table *summary) {
   if (t.rows == 0) table_free(&t), t = rows_of(folder, 1, "");
   history h = history_of(&t, 1);
   table_free(&t);
+  if (h.count == 0) {
+    history_free(&h);
+    return;
+  }
   const double printed = summary_number(summary, 0, "table1"), ends[2] = {h.t[0], h.t[h.count - 1]}, table1[2] = {printed, printed};
   double *law = calloc((size_t)h.count, sizeof *law);
   for (int k = 0; law != NULL && k < h.count; k++) law[k] = log(shear * h.t[k]) / h.t[k];
@@ -189,6 +193,10 @@ static void draw_spectrum(page *p, const char *folder, const table *summary, int
   char title[TEXT_SIZE];
   double least = 0.0, most = 0.0;
   table t = rows_of(folder, n, "");
+  if (t.rows == 0) {
+    table_free(&t);
+    return;
+  }
   for (int i = 0; i < n; i++) {
     h[i] = history_of(&t, i + 1);
     include(&h[i], &least, &most);

@@ -31,11 +31,20 @@ static int count_of(const char *text, char c) {
   return count;
 }
 
+/* The comma behind a cell, null behind the last one. A cell in quotes loses them in place. */
+static char *cell_end(char **cell) {
+  char *quote = **cell == '"' ? strchr(*cell + 1, '"') : NULL;
+  if (quote == NULL) return strchr(*cell, ',');
+  ++*cell;
+  *quote = '\0';
+  return strchr(quote + 1, ',');
+}
+
 /* Splits one line in place into at most `most` cells; returns how many there are. */
 static int split(char *line, char **cell, int most) {
   int count = 0;
   for (char *at = line; at != NULL; count++) {
-    char *comma = strchr(at, ',');
+    char *comma = cell_end(&at);
     if (comma != NULL) *comma++ = '\0';
     if (count < most) cell[count] = at;
     at = comma;

@@ -1,4 +1,4 @@
-/* CSV files as tables: a head of names, rows of cells without quotes. */
+/* CSV files as tables: a head of names, rows of cells; those in quotes may have commas, but no quotes. */
 #ifndef PRECISION_TABLE_H
 #define PRECISION_TABLE_H
 
