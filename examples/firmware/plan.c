@@ -161,7 +161,8 @@ static double improved(double cost, double damping) {
   return cost;
 }
 
-/* From a push to and fro, at a rate that leads to the cheapest of the motions found from several. */
+/* From a push to and fro, which has led to the cheapest of the motions found from several. There are many optima: a model that differs
+ * in its last bits may lead to another. */
 static double plan_new(void) {
   for (int k = 0; k < K; k++) now.push[k] = 3.0 * sin(2 * 3.14159265358979323846 * 0.8 * (double)k * H);
   now.y[0][1] = now.y[0][2] = 3.14159265358979323846;

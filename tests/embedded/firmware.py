@@ -4,6 +4,7 @@
     firmware.py ends RUN.csv                the poles hang at the start and stand at the end, and every status is the expected one
     firmware.py same RUN.csv HOST.csv       a board's run is the host's to the bit: states, derivatives, pushes, statuses
     firmware.py table ONE.c OTHER.c         two tables of planned motions are the same but for what an optimum leaves open
+    firmware.py planned TABLE.c             a motion from hanging to standing, with pushes that leave something to a regulator
     firmware.py random COUNT SEED POLES     prints random pushes and states that are numbers in single precision
     firmware.py precision FLOAT DOUBLE      prints and bounds the error of single precision, in parts of its rounding times the condition
 """
@@ -16,6 +17,7 @@ import sys
 UPRIGHT, CENTRED = 0.03, 0.1  # rad, m: at the end; what sensors resolve moves the machine by some thousandths
 # Of the largest number of a kind: an optimum known to some parts in 1e9 of its cost is known to the root of that in its place.
 MOST_TABLE = 3e-3
+PLANNED_REST, PLANNED_PUSH = 0.1, 15  # m, rad, m/s, rad/s; N
 FAULTS = {"without mass": 2, "angle without sine": 1, "no number": 1}  # minus their status
 FAULT_STEPS = 20
 MOST_FLOAT = 2  # roundings times condition
@@ -96,6 +98,15 @@ def same_table(path, other):
                 fail(f"{path}: number {i} of knot {k} is {a[i]}, in {other} {b[i]}, of {largest}")
 
 
+def planned(path):
+    motion = knots(path)
+    first, last = motion[0][1:7], motion[-1][1:7]
+    if len(motion) < 50 or first != [0, 3.14159265, 3.14159265, 0, 0, 0]:
+        fail(f"{path}: {len(motion)} knots from {first}")
+    if not max(map(abs, last)) < PLANNED_REST or not max(abs(knot[0]) for knot in motion) < PLANNED_PUSH:
+        fail(f"{path}: ends at {last}, pushes {max(abs(knot[0]) for knot in motion)}")
+
+
 def single(x):
     return struct.unpack("f", struct.pack("f", x))[0]
 
@@ -134,6 +145,8 @@ def main():
         same(*given)
     elif command == "table":
         same_table(*given)
+    elif command == "planned":
+        planned(*given)
     elif command == "random":
         print_random(*map(int, given))
     elif command == "precision":

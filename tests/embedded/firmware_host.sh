@@ -2,7 +2,7 @@
 # What the firmware does on a host.
 #   firmware_host.sh SOURCE-FOLDER FOLDER WHAT [POLES]      FOLDER: as firmware_build.sh has left it. WHAT:
 #     starts POLES       from several starts, with a machine that is not quite the expected one, the poles come to stand
-#     plan               the motion in flash is the one that plan.c computes, from itself and from nothing
+#     plan               the motion in flash is the optimum that plan.c computes beside it, and plan.c finds a motion from nothing, too
 #     mathematics        its sine and cosine against the C library's
 #     plot               plot.gp draws its CSV
 set -euo pipefail
@@ -25,7 +25,10 @@ case $what in
     ;;
   plan)
     python3 "$root/tests/embedded/firmware.py" table "$source/reference_table.c" <("$built/plan")
-    python3 "$root/tests/embedded/firmware.py" table "$source/reference_table.c" <("$built/plan" new)
+    "$built/plan" new >"$work/new.c"
+    python3 "$root/tests/embedded/firmware.py" planned "$work/new.c"
+    sed 's/e+00f, 3\.14/e+00f, 2.14/' "$work/new.c" >"$work/wrong.c"
+    ! python3 "$root/tests/embedded/firmware.py" planned "$work/wrong.c" >/dev/null 2>&1 || fail "a motion from elsewhere goes unseen"
     sed '8s/[1-9]\.[1-9]/9.9/' "$source/reference_table.c" >"$work/wrong.c"
     ! python3 "$root/tests/embedded/firmware.py" table "$work/wrong.c" "$source/reference_table.c" >/dev/null 2>&1 || fail "a wrong table goes unseen"
     ;;
