@@ -115,9 +115,12 @@ eom_status eom_lyapunov_to(eom_lyapunov *ly, tl_real t_end, eom_lyapunov_observe
 /* lambda_i in the order of the directions; not sorted. lambda: k; zeros at t0. */
 void eom_lyapunov_exponents(const eom_lyapunov *ly, tl_real *lambda);
 
-/* The mean of lambda_i with its 95 % half-width from the block means: blocks are merged until neighbours no longer correlate (but to
- * not fewer than 8), then Student's t on the rest. Returns the number of blocks used; below 8 there is no interval, half_width is
- * TL_MAX and 0 is returned. */
+/* The mean of lambda_i over all full blocks with its half-width, at least 95 % by what the run itself shows: the variance of the mean
+ * is summed up from the autocovariances of the block means (Geyer's initial monotone sequence), and Student's t of as many degrees of
+ * freedom as these leave. It assumes that the growth is stationary and that the run has seen all of its motion many times: correlations
+ * that are longer than a fair part of the run, as where a motion sticks to an island of order, leave no trace in one run, and the
+ * interval is too narrow then (bench/lyapunov/run --coverage counts it). Returns the number of blocks; below 8 there is no interval,
+ * half_width is TL_MAX and 0 is returned. */
 int eom_lyapunov_interval(const eom_lyapunov *ly, int i, tl_real *mean, tl_real *half_width);
 
 /* 1 where the half-width of options.stop_exponent is at most stop_half_width, not before stop_after; else 0. */
