@@ -59,20 +59,26 @@ static int acceleration(void *user, tl_real t, const tl_real *y, tl_real *ydot) 
   return sys->report.pivot < TL_C(0.0) ? 0 : (int)(sys->report.status = EOM_NO_SERIES);
 }
 
-/* q, qd and qdd at h behind the start, less q and qd at the start; any of the three may be null. */
+/* q, qd and qdd at h behind the start, less q and qd at the start; any of the three may be null. Even and odd powers beside each other:
+ * each sum waits for half as many terms. */
 static void sum_up(const eom_taylor *v, tl_real h, tl_real *dq, tl_real *dqd, tl_real *qdd) {
+  const tl_real square = h * h;
   for (int i = 0; i < v->sys->n; i++) {
     const tl_real *c = v->coef + (size_t)i * (size_t)(v->order + 1);
-    tl_real s0 = TL_C(0.0), s1 = TL_C(0.0), s2 = TL_C(0.0);
-    for (int k = v->order; k > 1; k--) {
-      const tl_real first = (tl_real)k * c[k];
-      s0 = (s0 + c[k]) * h;
-      s1 = (s1 + first) * h;
-      s2 = s2 * h + (tl_real)(k - 1) * first;
+    tl_real even[3] = {TL_C(0.0)}, odd[3] = {TL_C(0.0)};
+    for (int k = v->order / 2 * 2; k > 1; k -= 2) {
+      const tl_real one = c[k], next = k < v->order ? c[k + 1] : TL_C(0.0), weight = (tl_real)k;
+      const tl_real first_one = weight * one, first_next = (weight + TL_C(1.0)) * next;
+      even[0] = even[0] * square + one;
+      odd[0] = odd[0] * square + next;
+      even[1] = even[1] * square + first_one;
+      odd[1] = odd[1] * square + first_next;
+      even[2] = even[2] * square + (weight - TL_C(1.0)) * first_one;
+      odd[2] = odd[2] * square + weight * first_next;
     }
-    if (dq) dq[i] = (s0 + c[1]) * h;
-    if (dqd) dqd[i] = s1;
-    if (qdd) qdd[i] = s2;
+    if (dq) dq[i] = (c[1] + (even[0] + odd[0] * h) * h) * h;
+    if (dqd) dqd[i] = (even[1] + odd[1] * h) * h;
+    if (qdd) qdd[i] = even[2] + odd[2] * h;
   }
 }
 
