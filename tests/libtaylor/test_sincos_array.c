@@ -61,6 +61,21 @@ static void arguments_of_every_size(void **state) {
   assert_bounded(&w, "uniform in the exponent");
 }
 
+/* Up to the largest number: those that are many turns. The first is the one that comes nearest to a multiple of pi/2, where glibc's cos
+ * is wrong by 8 ulp. */
+static void arguments_of_any_exponent(void **state) {
+  (void)state;
+  rng r = {6};
+  worst w = {0};
+  for (int k = 0; k < points; k += LONGEST) {
+    tl_real x[LONGEST];
+    for (int i = 0; i < LONGEST; i++) x[i] = (tl_real)(rng_sign(&r) * rng_exponent(&r, 60.0, TL_MAX_EXP - 1));
+    if (TL_SINCOS_OWN) x[0] = sizeof(tl_real) == sizeof(float) ? TL_C(0x1.f37c8ap+95) : (tl_real)0x1.6ac5b262ca1ffp849;
+    check(x, LONGEST, &w);
+  }
+  assert_bounded(&w, "of many turns");
+}
+
 static void arguments_of_mechanisms(void **state) {
   (void)state;
   rng r = {2};
@@ -95,7 +110,7 @@ static void add_neighbours(tl_real *x) {
   for (int i = 2; i < LONGEST; i++) x[i] = TL_LIBM(nextafter)(x[i < 6 ? i % 2 : i - 4], i % 4 < 2 ? TL_MAX : -TL_MAX);
 }
 
-/* Powers of two and their neighbours, and those of the largest number for vectors. */
+/* Powers of two and their neighbours, and those of the numbers at which another formula begins. */
 static void arguments_near_round_numbers(void **state) {
   (void)state;
   worst w = {0};
@@ -106,10 +121,17 @@ static void arguments_near_round_numbers(void **state) {
     check(x, LONGEST, &w);
   }
 #ifdef TL_SINCOS_LIMIT
-  tl_real x[LONGEST] = {-TL_SINCOS_LIMIT, TL_SINCOS_LIMIT};
-  add_neighbours(x);
-  check(x, LONGEST, &w);
+  const tl_real limits[] = {TL_SINCOS_LIMIT};
+#elif TL_SINCOS_OWN
+  const tl_real limits[] = {TL_SINCOS_SMALL, TL_SINCOS_QUARTER, TL_SINCOS_TINY, TL_MAX / TL_C(2.0)};
+#else
+  const tl_real limits[] = {TL_C(1.0)};
 #endif
+  for (size_t k = 0; k < sizeof limits / sizeof *limits; k++) {
+    tl_real x[LONGEST] = {-limits[k], limits[k]};
+    add_neighbours(x);
+    check(x, LONGEST, &w);
+  }
   assert_bounded(&w, "near round numbers");
 }
 
@@ -171,6 +193,7 @@ int main(int argc, char **argv) {
   points = test_tries(argc > 1 ? atoi(argv[1]) : points);
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(arguments_of_every_size),
+      cmocka_unit_test(arguments_of_any_exponent),
       cmocka_unit_test(arguments_of_mechanisms),
       cmocka_unit_test(arguments_near_multiples_of_a_quarter_turn),
       cmocka_unit_test(arguments_near_round_numbers),

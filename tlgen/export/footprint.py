@@ -52,7 +52,7 @@ REASONS = {
     "8.9": "static memory and tables stand at file scope, where their size is seen",
     "8.14": "restrict, so that numbers stay in registers: eom/motion.h says that arguments do not overlap",
     "9.3": "{0}: C fills the rest of an array with zeros",
-    "10.1": "1 << a small constant; truth values combined by &, which takes no branch",
+    "10.1": "shifts by a small count, which is an int; truth values combined by &, which takes no branch",
     "10.3": "counts, of which all are below 2^31, as size_t, and sizes as counts",
     "10.4": "counts and sizes in one expression, likewise",
     "10.8": "a count that becomes a number or a size, likewise",

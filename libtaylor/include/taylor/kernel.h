@@ -35,8 +35,24 @@
 #define TL_VECTORS 0
 #endif
 
-/* Before a loop whose length is a small constant once its function is inlined. */
-#if TL_VECTORS && TL_INLINED
+/* 1 where kernels work on one number of C's float or double at a time, and may know its bits. */
+#if !TL_VECTORS && !defined(TL_REAL_LANES) && (TL_REAL == TL_FLOAT || TL_REAL == TL_DOUBLE)
+#define TL_SINGLE_NUMBERS 1
+#else
+#define TL_SINGLE_NUMBERS 0
+#endif
+
+/* 1 where arithmetic on numbers is functions of the compiler's: the processor has no instructions for it. */
+#ifndef TL_SOFT_NUMBERS
+#if defined(__arm__) && !(__ARM_FP & 4 && TL_REAL == TL_FLOAT) && !(__ARM_FP & 8)
+#define TL_SOFT_NUMBERS 1
+#else
+#define TL_SOFT_NUMBERS 0
+#endif
+#endif
+
+/* Before a loop whose length is a small constant once its function is inlined: numbers that a processor's registers hold. */
+#if TL_INLINED && !defined(TL_REAL_LANES) && (TL_REAL == TL_FLOAT || TL_REAL == TL_DOUBLE)
 #define TL_UNROLL _Pragma("GCC unroll 64")
 #else
 #define TL_UNROLL

@@ -16,6 +16,7 @@
 #define TAYLOR_LDL_H
 
 #include <stddef.h>
+#include <string.h>
 
 #include "taylor/kernel.h"
 
@@ -31,6 +32,11 @@
 #endif
 #endif
 
+/* Without vectors: the most n^2 k for which the columns of B are straight-line code too. */
+#ifndef TL_LDL_STRAIGHT
+#define TL_LDL_STRAIGHT 64
+#endif
+
 /* The largest n for which the loops over blocks are unrolled. */
 #ifndef TL_LDL_UNROLLED
 #define TL_LDL_UNROLLED 16
@@ -41,7 +47,18 @@
 #define TL_T_NAME(name) name
 #define TL_T_OF(x) (x)
 #define TL_T_WHERE(condition, a, b) ((condition) ? (a) : (b))
+#define TL_T_UNROLL TL_UNROLL
 #include "taylor/ldl_straight.h"
+
+/* ---- the same as loops, for more numbers where there are no vectors ---- */
+#if !TL_VECTORS
+#define TL_T tl_real
+#define TL_T_NAME(name) name##_by_loops
+#define TL_T_OF(x) (x)
+#define TL_T_WHERE(condition, a, b) ((condition) ? (a) : (b))
+#define TL_T_UNROLL
+#include "taylor/ldl_straight.h"
+#endif
 
 /* ---- blocks ---- */
 #if TL_VECTORS
@@ -445,6 +462,8 @@ TL_INLINE void tl_ldl_solve_many_blocks(int n, int k, tl_real *b, int ldb, const
 TL_INLINE tl_real tl_ldl_factor(int n, tl_real *w, int ld, tl_real *d) {
 #if TL_VECTORS
   if (n > TL_LDL_SCALAR) return tl_ldl_factor_blocks(n, w, ld, d, NULL);
+#else
+  if (n > TL_LDL_SCALAR) return tl_ldl_factor_scalar_by_loops(n, w, ld, d);
 #endif
   return tl_ldl_factor_scalar(n, w, ld, d);
 }
@@ -458,9 +477,14 @@ TL_INLINE void tl_ldl_solve(int n, tl_real *x, const tl_real *w, int ld, tl_real
     tl_ldl_solve_blocks(n, x, y, w, ld, d);
     return;
   }
+#else
+  if (n > TL_LDL_SCALAR) {
+    if (x != b) memcpy(x, b, (size_t)n * sizeof *x);
+    tl_ldl_solve_scalar_by_loops(n, x, w, ld, d);
+    return;
+  }
 #endif
-  tl_real local[TL_LDL_SCALAR];
-  tl_real *y = n <= TL_LDL_SCALAR ? local : d + TL_ROW(n);
+  tl_real y[TL_LDL_SCALAR];
   TL_UNROLL for (int i = 0; i < n; i++) y[i] = b[i];
   tl_ldl_solve_scalar(n, y, w, ld, d);
   TL_UNROLL for (int i = 0; i < n; i++) x[i] = y[i];
@@ -477,9 +501,17 @@ TL_INLINE tl_real tl_ldl_factor_solve(int n, tl_real *x, tl_real *w, int ld, tl_
     return ratio;
   }
 #endif
-  const tl_real ratio = tl_ldl_factor_scalar(n, w, ld, d);
+  const tl_real ratio = tl_ldl_factor(n, w, ld, d);
   tl_ldl_solve(n, x, w, ld, d, b);
   return ratio;
+}
+
+/* The same for a column of B. */
+TL_INLINE void tl_ldl_solve_column(int n, tl_real *b, int ldb, const tl_real *w, int ld, const tl_real *d) {
+  tl_real y[TL_LDL_SCALAR];
+  TL_UNROLL for (int i = 0; i < n; i++) y[i] = b[i * ldb];
+  tl_ldl_solve_scalar(n, y, w, ld, d);
+  TL_UNROLL for (int i = 0; i < n; i++) b[i * ldb] = y[i];
 }
 
 /* B = M^-1 B for k right-hand sides: row i of b, of length ldb >= TL_ROW(k), holds the i-th numbers of all of them. What b holds from
@@ -490,14 +522,22 @@ TL_INLINE void tl_ldl_solve_many(int n, int k, tl_real *b, int ldb, const tl_rea
     tl_ldl_solve_many_blocks(n, k, b, ldb, w, ld, d);
     return;
   }
-#endif
-  tl_real local[TL_LDL_SCALAR];
-  tl_real *y = n <= TL_LDL_SCALAR ? local : d + TL_ROW(n);
-  TL_UNROLL for (int j = 0; j < k; j++) {
-    TL_UNROLL for (int i = 0; i < n; i++) y[i] = b[i * ldb + j];
-    tl_ldl_solve_scalar(n, y, w, ld, d);
-    TL_UNROLL for (int i = 0; i < n; i++) b[i * ldb + j] = y[i];
+#else
+  if (n > TL_LDL_SCALAR) {
+    tl_real *y = d + TL_ROW(n);
+    for (int j = 0; j < k; j++) {
+      for (int i = 0; i < n; i++) y[i] = b[i * ldb + j];
+      tl_ldl_solve_scalar_by_loops(n, y, w, ld, d);
+      for (int i = 0; i < n; i++) b[i * ldb + j] = y[i];
+    }
+    return;
   }
+  if (n * n * k > TL_LDL_STRAIGHT) {
+    for (int j = 0; j < k; j++) tl_ldl_solve_column(n, b + j, ldb, w, ld, d);
+    return;
+  }
+#endif
+  TL_UNROLL for (int j = 0; j < k; j++) tl_ldl_solve_column(n, b + j, ldb, w, ld, d);
 }
 
 #endif

@@ -8,6 +8,7 @@
 #define TL_T_NAME(name) name##_lanes
 #define TL_T_OF(x) tl_lanes_of(x)
 #define TL_T_WHERE(condition, a, b) tl_lanes_select(condition, a, b)
+#define TL_T_UNROLL TL_UNROLL
 #include "taylor/ldl_straight.h"
 
 /* x = M^-1 b. Returns in each lane the largest M_ii/d_i, an infinity where M is not positive definite; x has no meaning there. */

@@ -3,8 +3,9 @@
  *     TL_T_NAME(name)        the name of a function or type for this type
  *     TL_T_OF(x)             the tl_real x
  *     TL_T_WHERE(c, a, b)    a where the comparison c of two of them holds, b elsewhere
+ *     TL_T_UNROLL            before each loop
  *
- * All four are undefined at the end. */
+ * All five are undefined at the end. */
 
 /* The extreme values of M_ii/d_i and 1/d_i so far. */
 typedef struct TL_T_NAME(tl_ldl_range) {
@@ -26,7 +27,7 @@ TL_INLINE TL_T TL_T_NAME(tl_ldl_ratio)(const TL_T_NAME(tl_ldl_range) * range) {
 TL_INLINE TL_T TL_T_NAME(tl_ldl_left)(const TL_T *w, int ld, const TL_T *d, int i, int j, int count, int pivotal) {
   const int last = count - 1, plain = pivotal ? last : count;
   TL_T sum = w[i * ld + j];
-  TL_UNROLL for (int k = 0; k < plain; k++) sum -= w[i * ld + k] * w[k * ld + j];
+  TL_T_UNROLL for (int k = 0; k < plain; k++) sum -= w[i * ld + k] * w[k * ld + j];
   if (pivotal && count > 0) sum -= w[last * ld + i] * w[last * ld + j] * d[last];
   return sum;
 }
@@ -43,7 +44,7 @@ TL_INLINE void TL_T_NAME(tl_ldl_pair)(int n, TL_T *w, int ld, TL_T *d, int i, TL
   TL_T_NAME(tl_ldl_extend)(range, &d[i + 1], &second);
   const TL_T l = b * d[i];
   lower[i] = l;
-  TL_UNROLL for (int j = i + 2; j < n; j++) {
+  TL_T_UNROLL for (int j = i + 2; j < n; j++) {
     upper[j] = TL_T_NAME(tl_ldl_left)(w, ld, d, i, j, i, 0);
     lower[j] = TL_T_NAME(tl_ldl_left)(w, ld, d, i + 1, j, i, 0) - l * upper[j];
     w[j * ld + i] = upper[j] * d[i];
@@ -53,7 +54,7 @@ TL_INLINE void TL_T_NAME(tl_ldl_pair)(int n, TL_T *w, int ld, TL_T *d, int i, TL
 
 TL_INLINE TL_T TL_T_NAME(tl_ldl_factor_scalar)(int n, TL_T *w, int ld, TL_T *d) {
   TL_T_NAME(tl_ldl_range) range = {TL_T_OF(TL_C(0.0)), TL_T_OF(TL_MAX)};
-  TL_UNROLL for (int i = 0; i + 1 < n; i += 2) TL_T_NAME(tl_ldl_pair)(n, w, ld, d, i, &range);
+  TL_T_UNROLL for (int i = 0; i + 1 < n; i += 2) TL_T_NAME(tl_ldl_pair)(n, w, ld, d, i, &range);
   if (n % 2 == 1) {
     const int i = n - 1;
     const TL_T entry = w[i * ld + i];
@@ -65,12 +66,13 @@ TL_INLINE TL_T TL_T_NAME(tl_ldl_factor_scalar)(int n, TL_T *w, int ld, TL_T *d) 
 
 /* x = M^-1 x. */
 TL_INLINE void TL_T_NAME(tl_ldl_solve_scalar)(int n, TL_T *x, const TL_T *w, int ld, const TL_T *d) {
-  TL_UNROLL for (int k = 0; k < n; k++) TL_UNROLL for (int i = k + 1; i < n; i++) x[i] -= w[i * ld + k] * x[k];
-  TL_UNROLL for (int i = 0; i < n; i++) x[i] *= d[i];
-  TL_UNROLL for (int k = n - 1; k > 0; k--) TL_UNROLL for (int i = 0; i < k; i++) x[i] -= w[k * ld + i] * x[k];
+  TL_T_UNROLL for (int k = 0; k < n; k++) TL_T_UNROLL for (int i = k + 1; i < n; i++) x[i] -= w[i * ld + k] * x[k];
+  TL_T_UNROLL for (int i = 0; i < n; i++) x[i] *= d[i];
+  TL_T_UNROLL for (int k = n - 1; k > 0; k--) TL_T_UNROLL for (int i = 0; i < k; i++) x[i] -= w[k * ld + i] * x[k];
 }
 
 #undef TL_T
 #undef TL_T_NAME
 #undef TL_T_OF
 #undef TL_T_WHERE
+#undef TL_T_UNROLL

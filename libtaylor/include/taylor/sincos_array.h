@@ -55,6 +55,14 @@ TL_INLINE void tl_sincos_some(int count, const tl_real *x, tl_real *s, tl_real *
 
 #endif
 
+/* Numbers one by one, unless the header of the mathematics has functions of its own. */
+#if TL_SINGLE_NUMBERS && !defined(TL_OTHER_MATHEMATICS)
+#define TL_SINCOS_OWN 1
+#include "taylor/sincos_number.h"
+#else
+#define TL_SINCOS_OWN 0
+#endif
+
 /* s[i] = sin x[i], c[i] = cos x[i] for i < n, each within 1.1 ulp; where x[i] is infinite or no number, neither is the result. s and c
  * may be x, not each other. A number's result does not depend on its place in the array, nor on the others. */
 TL_INLINE void tl_sincos_array(int n, const tl_real *x, tl_real *s, tl_real *c) {
@@ -64,6 +72,12 @@ TL_INLINE void tl_sincos_array(int n, const tl_real *x, tl_real *s, tl_real *c) 
   if (n % 4 == 1) tl_sincos_some(1, x + i, s + i, c + i);
   if (n % 4 == 2) tl_sincos_some(2, x + i, s + i, c + i);
   if (n % 4 == 3) tl_sincos_some(3, x + i, s + i, c + i);
+#elif TL_SINCOS_OWN
+  for (int i = 0; i < n; i++) {
+    const tl_sincos_pair pair = tl_sincos_number(x[i]);
+    s[i] = pair.sine;
+    c[i] = pair.cosine;
+  }
 #else
   for (int i = 0; i < n; i++) {
     const tl_real xi = x[i];
