@@ -31,40 +31,35 @@ int tl_rule_index(int nargs, const int *alpha) {
   return place;
 }
 
-/* The polynomial in the jets h_i = args_i - args_i(0) whose coefficients f holds. */
-typedef struct polynomial {
-  tl_ctx *cx;
-  int nargs;
-  const tl_real *const *args;
-  const tl_real *f;
-  int exponent[TL_RULE_ARGS];
-} polynomial;
-
-/* Scratch jet i = the part of the polynomial with the exponents of the arguments above i as they stand, their powers left out: by
- * Horner's scheme in h_i, whose coefficients are such parts for i - 1. used: sum of those exponents. Only blocks of weight at most
- * degree - used can reach the result. */
-static tl_real *sum_part(polynomial *p, int i, int used) {
-  const tl_shape *s = p->cx->shape;
-  tl_real *c = tl_scratch(p->cx, i);
-  tl_row_zero(s->ncoef, c);
-  for (int e = s->degree - used; e >= 0; e--) {
-    const int top = s->degree - used - e;
-    p->exponent[i] = e;
-    if (i == 0) {
-      tl_horner_step(s, c, p->args[i], p->f[tl_rule_index(p->nargs, p->exponent)], top);
-    } else {
-      const tl_real *next = sum_part(p, i - 1, used + e);
-      tl_horner_step(s, c, p->args[i], next[0], top);
-      for (int k = 1; k < s->ncoef; k++) c[k] += next[k];
+/* The polynomial in the jets h_i = args_i - args_i(0) whose coefficients f holds, by Horner's scheme in the last of them, whose
+ * coefficients are polynomials in those before, of which it is the same. Scratch jet i = such a part, for the exponents of the
+ * arguments above i as they stand, their powers left out. Only blocks of weight at most degree - used can reach the result, used being
+ * the sum of those exponents. */
+void tl_compose_n_blocks(tl_ctx *cx, tl_real *c, int nargs, const tl_real *const *args, const tl_real *f) {
+  const tl_shape *s = cx->shape;
+  int exponent[TL_RULE_ARGS], used[TL_RULE_ARGS];
+  int i = nargs - 1;
+  used[i] = 0;
+  exponent[i] = s->degree;
+  tl_row_zero(s->ncoef, tl_scratch(cx, i));
+  while (i < nargs) {
+    tl_real *part = tl_scratch(cx, i);
+    if (exponent[i] >= 0 && i > 0) { /* a coefficient of this part comes first */
+      used[i - 1] = used[i] + exponent[i];
+      exponent[i - 1] = s->degree - used[i - 1];
+      tl_row_zero(s->ncoef, tl_scratch(cx, --i));
+    } else if (exponent[i] >= 0) {
+      tl_horner_step(s, part, args[0], f[tl_rule_index(nargs, exponent)], s->degree - used[0] - exponent[0]);
+      exponent[0]--;
+    } else if (++i < nargs) { /* it is there */
+      tl_real *of = tl_scratch(cx, i);
+      tl_horner_step(s, of, args[i], part[0], s->degree - used[i] - exponent[i]);
+      for (int k = 1; k < s->ncoef; k++) of[k] += part[k];
+      exponent[i]--;
     }
   }
-  return c;
-}
-
-void tl_compose_n_blocks(tl_ctx *cx, tl_real *c, int nargs, const tl_real *const *args, const tl_real *f) {
-  polynomial p = {.cx = cx, .nargs = nargs, .args = args, .f = f};
-  const tl_real *sum = sum_part(&p, nargs - 1, 0);
-  for (int i = 0; i < cx->shape->ncoef; i++) c[i] = sum[i];
+  const tl_real *sum = tl_scratch(cx, nargs - 1);
+  for (int k = 0; k < s->ncoef; k++) c[k] = sum[k];
 }
 
 void tl_apply_n(tl_ctx *cx, tl_real *c, int nargs, const tl_real *const *args, tl_rule_n *rule, const void *user) {

@@ -1,9 +1,10 @@
 #!/usr/bin/env bash
 # libtaylor and the runtime's core as firmware has them: no memory of their own or from a heap, no stdio, no array of variable length, no
-# function beyond the mathematics, which one header can replace; in single precision no arithmetic in double, on a processor that would
-# call a function for it. Ends with 77 where there is no cross compiler.
+# recursion (through a pointer to a function, footprint.py looks for it in each image), no function beyond the mathematics, which one header
+# can replace; in single precision no arithmetic in double, on a processor that would call a function for it. Ends with 77 where there is no cross compiler.
 #   core.sh SOURCE-FOLDER
 set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
 root=$1
 command -v arm-none-eabi-gcc >/dev/null || { echo "no arm-none-eabi-gcc here"; exit 77; }
 work=$(mktemp -d)
@@ -24,7 +25,7 @@ compile() { # FOLDER TYPE FLAG.. SOURCE..
   mkdir -p "$folder"
   (cd "$folder" && arm-none-eabi-gcc -std=c11 -O2 -DNDEBUG -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -DTL_REAL="$type" \
     -DTL_MAX_ORDER=2 -DTL_MAX_CURVE=2 -DTL_ALIGNMENT=8 -Wall -Wextra -Wconversion -Wdouble-promotion -Wfloat-conversion -Wvla -Werror \
-    -fstack-usage -I"$root/libtaylor/include" -I"$root/runtime/include" -c "$@")
+    -fstack-usage -fcallgraph-info -I"$root/libtaylor/include" -I"$root/runtime/include" -c "$@")
 }
 
 # check FOLDER PREFIX SUFFIX: prints what may not be there. Mathematics is called as PREFIX name SUFFIX.
@@ -38,6 +39,7 @@ check() {
   [ "$suffix" != f ] || grep -E '^__aeabi_(d|[a-z0-9]+2d)' "$work/called" | sed 's/^/computes in double: /' || true
   arm-none-eabi-nm "$folder"/*.o | awk '$2 ~ /^[bBdDC]$/ { print "writable data: " $3 }'
   awk -F'\t' '$3 != "static" { print "frame of unknown size: " $1 }' "$folder"/*.su
+  python3 "$here/recursion.py" "$folder"/*.ci
 }
 
 for type in FLOAT DOUBLE; do
@@ -73,7 +75,7 @@ notices() { # TEXT TYPE C
   mkdir -p "$work/canary"
   rm -f "$work/canary"/*
   printf '%s\n' "$3" >"$work/canary/canary.c"
-  (cd "$work/canary" && arm-none-eabi-gcc -std=c11 -O2 -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -fstack-usage -c canary.c)
+  (cd "$work/canary" && arm-none-eabi-gcc -std=c11 -O2 -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -fstack-usage -fcallgraph-info -c canary.c)
   check "$work/canary" "" "$2" | grep -q "$1" || { echo "goes unseen: $3"; failed=1; }
 }
 notices 'calls malloc' '' '#include <stdlib.h>
@@ -82,5 +84,8 @@ notices 'calls printf\|calls puts\|calls iprintf' '' '#include <stdio.h>
 int canary(int x) { return printf("%d", x); }'
 notices 'writable data' '' 'static int calls; int canary(void) { return ++calls; }'
 notices 'frame of unknown size' '' 'int canary(int n) { volatile char x[n]; x[0] = 1; return x[0]; }'
+notices 'circle of calls' '' '__attribute__((noinline)) int canary(int n) { volatile int m = n; return m > 0 ? canary(m - 1) + m : 0; }'
+notices 'circle of calls' '' '__attribute__((noinline)) static int other(int); __attribute__((noinline)) int canary(int n) { volatile int m = n; return m > 0 ? other(m - 1) + m : 0; }
+static int other(int n) { return n > 3 ? canary(n) + 1 : 7; }'
 notices 'computes in double' f 'float canary(float x) { return (float)(x * 0.1); }'
 exit $failed

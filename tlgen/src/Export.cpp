@@ -113,10 +113,11 @@ public:
     s += "static eom_integrator integrator;\nstatic tl_real work[EOM_INTEGRATOR_SIZE(4, 0, 2 * N)]; /* of rk4 */\n";
     if (model_.params) s += "static const " + model_.params->spelling + " params = { /* YOURS */\n" + parameters() + "};\n";
     s += motionAlone_ ? byFunctions() : bySystem();
-    s += "int example_step(void) { return (int)eom_integrator_step(&integrator); }\n\nint example_start(void) {\n";
-    s += motionAlone_ ? "" : startSystem();
-    s += "  eom_integrator_init(&integrator, &eom_rk4, " + std::string(motionAlone_ ? "rhs, NULL" : "eom_rhs, &sys") +
-         ", 2 * N, TL_C(0.0), y, TL_C(1e-3), work);\n  return 0;\n}\n\n#ifndef EXAMPLE_WITHOUT_MAIN\nint main(void) {\n  int status = "
+    s += "int example_step(void) {\n  if (!integrator.method) eom_integrator_init(&integrator, &eom_rk4, " +
+         std::string(motionAlone_ ? "rhs, NULL" : "eom_rhs, &sys") +
+         ", 2 * N, TL_C(0.0), y, TL_C(1e-3), work);\n  return (int)eom_integrator_step(&integrator);\n}\n\nint example_start(void) {\n";
+    s += (motionAlone_ ? "" : startSystem()) +
+         "  return 0;\n}\n\n#ifndef EXAMPLE_WITHOUT_MAIN\nint main(void) {\n  int status = "
          "example_start();\n  for (int i = 0; i < STEPS && status == 0; i++) status = example_step();\n  for (int i = 0; i < 2 * N; "
          "i++) y[i] = "
          "integrator.y[i];\n";

@@ -22,25 +22,28 @@ def lagrangian(model, q, qd, gravity, masses, lengths):
 class Equations:
     """M qdd = Q and what follows from it, on scalars (SX)."""
 
-    def __init__(self, model, n, gravity, masses, lengths):
-        self.n = n
+    def __init__(self, n, energy, force=None, more=()):
+        """energy(q, qd): the Lagrangian; force(q, qd): generalized forces; more: symbols of which both depend besides."""
+        self.n, self.more = n, list(more)
         self.q, self.qd, self.w = ca.SX.sym("q", n), ca.SX.sym("qd", n), ca.SX.sym("w", 2 * n)
         self.y = ca.vertcat(self.q, self.qd)
-        self.L = lagrangian(model, self.q, self.qd, gravity, masses, lengths)
+        self.L = energy(self.q, self.qd)
         self.momentum = ca.gradient(self.L, self.qd)
+        self.pull = ca.gradient(self.L, self.q) + (force(self.q, self.qd) if force else 0)
         self.M = ca.densify(ca.hessian(self.L, self.qd)[0])
-        self.Q = ca.densify(ca.gradient(self.L, self.q) - ca.jtimes(self.momentum, self.q, self.qd))
+        self.Q = ca.densify(self.pull - ca.jtimes(self.momentum, self.q, self.qd))
 
     def residual(self, qdd):
         """M qdd - Q by the chain rule along the motion."""
-        return ca.jtimes(self.momentum, self.y, ca.vertcat(self.qd, qdd)) - ca.gradient(self.L, self.q)
+        return ca.jtimes(self.momentum, self.y, ca.vertcat(self.qd, qdd)) - self.pull
 
     def residual_derivative(self, qdd, directions):
         """d(M qdd - Q)/dy, or that times w, at fixed accelerations that are then replaced by qdd."""
         a = ca.SX.sym("a", self.n)
         r = self.residual(a)
         d = ca.jtimes(r, self.y, self.w) if directions else ca.jacobian(r, self.y)
-        return ca.densify(ca.Function("r_y", [self.q, self.qd, self.w, a], [d])(self.q, self.qd, self.w, qdd))
+        inputs = [self.q, self.qd, *self.more, self.w]
+        return ca.densify(ca.Function("r_y", [*inputs, a], [d])(*inputs, qdd))
 
 
 class as_written:
@@ -100,7 +103,7 @@ def solver(kind, M):
     return solve
 
 
-def scalar_outputs(eq, need, derivative, kind):
+def scalar_outputs(eq, need, derivative, kind, dense):
     """All of it on scalars. derivative: 'explicit' differentiates qdd through its solver, 'implicit' solves for the derivative."""
     solve = solver(kind, eq.M)
     qdd = solve(eq.Q)
@@ -110,7 +113,7 @@ def scalar_outputs(eq, need, derivative, kind):
         d = -solve(eq.residual_derivative(qdd, need == "V"))
     else:
         d = ca.jtimes(qdd, eq.y, eq.w) if need == "V" else ca.jacobian(qdd, eq.y)
-    return [qdd, ca.densify(d)]
+    return [qdd, ca.densify(d) if dense else ca.sparsify(d)]
 
 
 def mapped_function(eq, inputs):
@@ -126,29 +129,29 @@ def mapped_function(eq, inputs):
             rows[i][j], place = f[place], place + 1
     one = ca.Function("one", [f, b], [dense_solve((rows, [f[place + i] for i in range(n)]), b)])
     with as_written():
-        first = ca.Function("first", [eq.q, eq.qd], ca.cse([packed, eq.Q]))
+        first = ca.Function("first", [eq.q, eq.qd, *eq.more], ca.cse([packed, eq.Q]))
     a = ca.SX.sym("a", n)
-    second = ca.Function("second", [eq.q, eq.qd, a], [ca.cse(ca.densify(-ca.jacobian(eq.residual(a), eq.y)))])
-    q, qd = ca.MX.sym("q", n), ca.MX.sym("qd", n)
-    factors, Q = first(q, qd)
+    second = ca.Function("second", [eq.q, eq.qd, *eq.more, a], [ca.cse(ca.densify(-ca.jacobian(eq.residual(a), eq.y)))])
+    given = [ca.MX.sym("q", n), ca.MX.sym("qd", n), *(ca.MX.sym(x.name(), *x.shape) for x in eq.more)]
+    factors, Q = first(*given)
     qdd = one(factors, Q)
-    B = second(q, qd, qdd)
+    B = second(*given, qdd)
     J = one.map(2 * n)(ca.repmat(factors, 1, 2 * n), B) if inputs == "copies" else \
         one.map("one_map", "serial", 2 * n, [0], [])(factors, B)
-    return ca.Function("evaluate", [q, qd], [qdd, J.T])
+    return ca.Function("evaluate", given, [qdd, J.T])
 
 
-def function(eq, need, formulation):
+def function(eq, need, formulation, dense=True):
     derivative, kind, *rest = formulation.split(",")
     if derivative == "map":
         return mapped_function(eq, kind)
-    outputs = scalar_outputs(eq, need, derivative, kind)
+    outputs = scalar_outputs(eq, need, derivative, kind, dense)
     if need == "J":
         outputs[1] = outputs[1].T  # columns of it are rows of the result
     if "cse" in rest:
         with as_written():
             outputs = ca.cse(outputs)
-    inputs = [eq.q, eq.qd] + ([eq.w] if need == "V" else [])
+    inputs = [eq.q, eq.qd, *eq.more] + ([eq.w] if need == "V" else [])
     return ca.Function("evaluate", inputs, outputs)
 
 
@@ -157,7 +160,7 @@ def main():
     with open(parameters, encoding="utf-8") as file:
         gravity, *links = file.read().splitlines()
     masses, lengths = zip(*(map(float, link.split()) for link in links))
-    eq = Equations(model, int(n), float(gravity), masses, lengths)
+    eq = Equations(int(n), lambda q, qd: lagrangian(model, q, qd, float(gravity), masses, lengths))
     os.chdir(folder)
     evaluate = function(eq, need, formulation)
     evaluate.generate("generated.c")
