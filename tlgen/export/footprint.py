@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """What this export takes on Arm Cortex-M: flash, memory, worst-case stack and instructions of each need, into MANIFEST.
 
-    footprint.py [--boards m4f,m3] [--keep FOLDER]
+    footprint.py [--boards m4f,m3] [--keep FOLDER] [--paint]
 
 Compiles with arm-none-eabi-gcc -O2, links each need by itself with the startup of board/, and runs it under qemu-system-arm, whose
 instruction counts repeat exactly. The stack is the deepest chain of calls, with the frames that gcc reports and, for the C library,
@@ -218,10 +218,36 @@ def compile_all(board, folder):
     return common
 
 
-def measure(board, need, manifest, folder, common):
-    image = folder / f"{need}.elf"
-    made = run(common + [f"-DNEED=example_{need}", "board/board.c", *map(str, sorted(folder.glob("*.o"))), "-nostartfiles", "-T",
+def link(need, folder, common, image, *more):
+    return run(common + [f"-DNEED=example_{need}", *more, "board/board.c", *map(str, sorted(folder.glob("*.o"))), "-nostartfiles", "-T",
                          "board/board.ld", "-Wl,--gc-sections", "-lm", "-o", str(image)], cwd=HERE)
+
+
+def start(board, image):
+    """What the image says, by word: numbers."""
+    said = run([QEMU, "-machine", BOARDS[board][1], "-nographic", "-monitor", "none", "-serial", "none", "-icount", "shift=6",
+                "-semihosting-config", "enable=on,target=native", "-kernel", str(image)], timeout=120)
+    told = dict(re.findall(r"^(\w+) (\d+)$", said.stdout + said.stderr, re.M))
+    if said.returncode or "status" not in told:
+        fail(f"{board}, {image.stem}: the board stopped with {said.returncode}: {said.stdout}{said.stderr}")
+    return told
+
+
+def paint(board, need, folder, common, computed):
+    """The stack that a run really takes, of which what was computed is a bound."""
+    image = folder / f"{need}-painted.elf"
+    made = link(need, folder, common, image, "-DBOARD_STACK")
+    if made.returncode:
+        fail(made.stderr)
+    taken = int(start(board, image)["stack"])
+    if not 0 < taken <= computed:
+        fail(f"{board}, {need}: a run takes {taken} bytes of stack, of {computed} by its calls")
+    print(f"stack of {board}, {need}: {taken} bytes, of {computed} by its calls")
+
+
+def measure(board, need, manifest, folder, common, painted):
+    image = folder / f"{need}.elf"
+    made = link(need, folder, common, image)
     if "_sbrk" in made.stderr:
         fail(f"{board}, {need}: the image allocates: the C library asks for _sbrk")
     if made.returncode:
@@ -238,11 +264,9 @@ def measure(board, need, manifest, folder, common):
         fail(f"{board}, {need}:\n  " + "\n  ".join(sorted(set(calls.faults))))
     instructions, status = "not run: no " + QEMU, "-"
     if shutil.which(QEMU):
-        said = run([QEMU, "-machine", BOARDS[board][1], "-nographic", "-monitor", "none", "-serial", "none", "-icount", "shift=6",
-                    "-semihosting-config", "enable=on,target=native", "-kernel", str(image)], timeout=120)
-        told = dict(re.findall(r"^(\w+) (\d+)$", said.stdout + said.stderr, re.M))
-        if said.returncode or "status" not in told:
-            fail(f"{board}, {need}: the board stopped with {said.returncode}: {said.stdout}{said.stderr}")
+        told = start(board, image)
+        if painted:
+            paint(board, need, folder, common, stack)
         instructions, status = told.get("instructions", "-"), told["status"]
     return f"{board:5} {need:10} {text + data:7} {data + bss:6} {stack:6} {instructions:>9} {status:>6}   {' > '.join(c.split(':')[-1] for c in chain)}"
 
@@ -267,6 +291,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--boards", default=",".join(BOARDS))
     parser.add_argument("--keep", help="a folder for objects and images")
+    parser.add_argument("--paint", action="store_true", help="run each need with a painted stack too, and fail where it takes more than computed")
     parser.add_argument("--no-misra", action="store_true", help="leave cppcheck out, which takes longer than all else")
     given = parser.parse_args()
     manifest = Manifest()
@@ -284,7 +309,7 @@ def main():
             folder = Path(given.keep or temporary) / board
             folder.mkdir(parents=True, exist_ok=True)
             common = compile_all(board, folder)
-            lines += [measure(board, need, manifest, folder, common) for need in manifest.needs]
+            lines += [measure(board, need, manifest, folder, common, given.paint) for need in manifest.needs]
     if not given.no_misra:
         lines += misra()
     manifest.write(lines)

@@ -132,7 +132,7 @@ def mapped_function(eq, inputs):
         first = ca.Function("first", [eq.q, eq.qd, *eq.more], ca.cse([packed, eq.Q]))
     a = ca.SX.sym("a", n)
     second = ca.Function("second", [eq.q, eq.qd, *eq.more, a], [ca.cse(ca.densify(-ca.jacobian(eq.residual(a), eq.y)))])
-    given = [ca.MX.sym("q", n), ca.MX.sym("qd", n), *(ca.MX.sym(x.name(), *x.shape) for x in eq.more)]
+    given = [ca.MX.sym("q", n), ca.MX.sym("qd", n), *(ca.MX.sym(f"more{i}", *x.shape) for i, x in enumerate(eq.more))]
     factors, Q = first(*given)
     qdd = one(factors, Q)
     B = second(*given, qdd)

@@ -9,9 +9,12 @@
 #endif
 
 /* The header with the mathematics. What takes the place of math.h declares its functions for the number type, and HUGE_VAL and NAN;
- * TL_LIBM(sin) is by default the function that math.h has for the number type, and may be defined here as any other. */
+ * TL_LIBM(sin) is by default the function that math.h has for the number type, and may be defined here as any other. Where there are no
+ * vectors, sines and cosines are libtaylor's own, unless the header is another or TL_OTHER_MATHEMATICS is defined. */
 #ifndef TL_MATH_HEADER
 #define TL_MATH_HEADER <math.h>
+#elif !defined(TL_OTHER_MATHEMATICS)
+#define TL_OTHER_MATHEMATICS
 #endif
 
 /* The largest order in t and the largest power of s of a shape. The runtime needs 2 and 2. */

@@ -16,9 +16,6 @@
 /* With -DTL_REAL_LANES=2, 4 or 8 besides, tl_real is that many numbers side by side: see real_lanes.h.
  *
  * TL_C(x): the number x, written as a constant of type double. TL_LIBM(sin)(x) calls the C library's function for tl_real. */
-#ifdef TL_LIBM
-#define TL_OTHER_MATHEMATICS
-#endif
 #if TL_REAL == TL_FLOAT
 #define TL_REAL_FLOAT
 typedef float tl_number;

@@ -20,13 +20,19 @@ within() { # FOLDER FLASH RAM: reads the table
 "$tlgen" "${cart[@]}" --export cart --real float
 python3 cart/footprint.py --no-misra >first
 within cart 32768 4096
-python3 cart/footprint.py --no-misra --boards m4f >second
+python3 cart/footprint.py --no-misra --boards m4f --paint >second
 cmp <(grep '^m4f' first) <(grep '^m4f' second) || fail "another run counts otherwise"
 "$tlgen" "${cart[@]}" --export cart # in double, over the measured one
 grep -q 'not measured yet' cart/MANIFEST || fail "an old measurement was kept"
 python3 cart/footprint.py --no-misra --boards m7 >/dev/null
 within cart 32768 4096
 "$tlgen" "${bead[@]}" --export bead --real float
+python3 bead/footprint.py --no-misra --boards m3 --paint >painted
+[ "$(grep -c '^stack of' second painted)" = $'second:3\npainted:3' ] || fail "not every stack was painted"
+sed 's/return self.frame.get(root, 0) + deepest/return self.frame.get(root, 0)/' bead/footprint.py >bead/shallow.py
+! python3 bead/shallow.py --no-misra --boards m3 --paint >said 2>&1 || fail "a stack deeper than computed goes unseen"
+grep -q 'takes .* bytes of stack' said || { cat said; fail "a stack deeper than computed is told otherwise"; }
+rm bead/shallow.py
 python3 bead/footprint.py --no-misra >/dev/null
 within bead 65536 8192
 

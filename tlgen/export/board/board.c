@@ -58,8 +58,31 @@ static uint32_t ticks_of(int (*run)(void), int *status) {
   return (start - systick[2]) & 0xFFFFFF;
 }
 
+#ifdef BOARD_STACK
+/* Bytes of stack that a call writes to, of so many painted before. */
+enum { PAINTED = 65536 / 4, PAINT = 0x5AFEC0DE };
+
+static uint32_t __attribute__((noinline)) stack_of(int (*volatile run)(void), int *status) {
+  uint32_t top, deepest = 0;
+  __asm__ volatile("mov %0, sp" : "=r"(top));
+  volatile uint32_t *const words = (volatile uint32_t *)top;
+  for (int i = 1; i <= PAINTED; i++) words[-i] = PAINT;
+  *status = run();
+  for (uint32_t i = 1; i <= PAINTED; i++)
+    if (words[-(int)i] != PAINT) deepest = i;
+  return 4 * deepest;
+}
+#endif
+
 int main(void) {
   int status = example_start(), none = 0;
+#ifdef BOARD_STACK
+  if (status == 0) {
+    say("stack ");
+    say_number(stack_of(NEED, &status));
+    say("\n");
+  }
+#endif
   if (status == 0) {
     board_start_ticks();
     int (*volatile empty)(void) = nothing, (*volatile need)(void) = NEED;
