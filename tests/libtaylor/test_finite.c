@@ -22,7 +22,17 @@ static void one_number_decides(void **state) {
   }
 }
 
+static void numbers_whose_sum_is_infinite_are_finite(void **state) {
+  (void)state;
+  tl_real x[LONGEST];
+  for (int i = 0; i < LONGEST; i++) x[i] = TL_MAX;
+  for (int n = 0; n <= LONGEST; n++) assert_true(tl_finite_array(n, x));
+}
+
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(one_number_decides)};
+  const struct CMUnitTest tests[] = {
+      cmocka_unit_test(one_number_decides),
+      cmocka_unit_test(numbers_whose_sum_is_infinite_are_finite),
+  };
   return cmocka_run_group_tests(tests, NULL, NULL);
 }

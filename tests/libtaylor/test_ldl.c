@@ -71,6 +71,7 @@ typedef struct ldl_functions {
   void (*solve)(tl_real *x, const tl_real *w, tl_real *d, const tl_real *b);
   void (*solve_few)(tl_real *b, const tl_real *w, tl_real *d);
   void (*solve_many)(tl_real *b, const tl_real *w, tl_real *d);
+  void (*negated)(tl_real *x, tl_real *b, const tl_real *w, tl_real *d);
 } ldl_functions;
 
 #define INSTANCE(n)                                                                                                                    \
@@ -80,10 +81,13 @@ typedef struct ldl_functions {
   static tl_real factor_##n(tl_real *w, tl_real *d) { return tl_ldl_factor(n, w, TL_LDL_ROW(n), d); }                                  \
   static void solve_##n(tl_real *x, const tl_real *w, tl_real *d, const tl_real *b) { tl_ldl_solve(n, x, w, TL_LDL_ROW(n), d, b); }    \
   static void solve_few_##n(tl_real *b, const tl_real *w, tl_real *d) { tl_ldl_solve_many(n, FEW, b, LDB, w, TL_LDL_ROW(n), d); }      \
-  static void solve_many_##n(tl_real *b, const tl_real *w, tl_real *d) { tl_ldl_solve_many(n, MANY, b, LDB, w, TL_LDL_ROW(n), d); }
+  static void solve_many_##n(tl_real *b, const tl_real *w, tl_real *d) { tl_ldl_solve_many(n, MANY, b, LDB, w, TL_LDL_ROW(n), d); }    \
+  static void negated_##n(tl_real *x, tl_real *b, const tl_real *w, tl_real *d) {                                                      \
+    tl_ldl_solve_negated(n, FEW, x, b, LDB, w, TL_LDL_ROW(n), d);                                                                      \
+  }
 SIZES(INSTANCE)
 
-#define ENTRY(n) {n, factor_solve_##n, factor_##n, solve_##n, solve_few_##n, solve_many_##n},
+#define ENTRY(n) {n, factor_solve_##n, factor_##n, solve_##n, solve_few_##n, solve_many_##n, negated_##n},
 static const ldl_functions functions[] = {SIZES(ENTRY)};
 enum { NSIZE = sizeof functions / sizeof *functions };
 
@@ -92,6 +96,15 @@ static void check_many(const ldl_case *c, rng *r, int k, void (*solve)(tl_real *
   for (int i = 0; i < c->n * LDB; i++) right[i] = many[i] = i % LDB < k ? (tl_real)rng_uniform(r, -1.0, 1.0) : (tl_real)NAN;
   solve(many, c->w, d);
   for (int j = 0; j < k; j++) assert_solved(c, many + j, LDB, right + j, LDB, "many");
+}
+
+static void check_negated(const ldl_case *c, rng *r, const ldl_functions *f, tl_real *d) {
+  static tl_real x[LARGEST * FEW + 1], b[LARGEST * LDB], right[LARGEST * LDB];
+  for (int i = 0; i < c->n * LDB; i++) b[i] = i % LDB < FEW ? (tl_real)rng_uniform(r, -1.0, 1.0) : (tl_real)NAN, right[i] = -b[i];
+  x[c->n * FEW] = TL_C(7.0);
+  f->negated(x, b, c->w, d);
+  for (int j = 0; j < FEW; j++) assert_solved(c, x + j, FEW, right + j, LDB, "negated");
+  assert_true(x[c->n * FEW] == TL_C(7.0)); /* behind the array */
 }
 
 /* How far apart, relatively, the ratios of two compilations are. Where products may be fused with sums, each of the n products that d_i
@@ -126,6 +139,7 @@ static tl_real factor_and_check(ldl_case *c, rng *r, const ldl_functions *f) {
   }
   check_many(c, r, FEW, f->solve_few, c->d);
   check_many(c, r, MANY, f->solve_many, c->d);
+  check_negated(c, r, f, c->d);
   return ratio;
 }
 

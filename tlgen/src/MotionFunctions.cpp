@@ -465,10 +465,13 @@ std::string MotionFunctions::jacobian(Body &body) {
   long n = body.values.n, columns = 2 * n, ld = padded(columns);
   body.matrix(1, "r_y", body.memory("B", n * ld), columns, ld);
   std::string s = solve(body);
-  s += body.printChecked(1) + "  " + body.kernel("tl_ldl_solve_many") + "(" + str(n) + ", " + str(columns) + ", B, " + str(ld) +
-       ", M, " + str(padded(n)) + ", dinv);\n";
-  return s + body.unpack(1, "r_y", "qdd_y", "B", n, columns, ld, "-") + finite(n, "qdd", body.lanes) +
-         body.checkFinite(1, "r_y", "qdd_y", n * columns);
+  const std::string factors = ", B, " + str(ld) + ", M, " + str(padded(n)) + ", dinv);\n", sizes = "(" + str(n) + ", " + str(columns);
+  s += body.printChecked(1);
+  if (body.lanes || body.paired(1, "r_y"))
+    s += "  " + body.kernel("tl_ldl_solve_many") + sizes + factors + body.unpack(1, "r_y", "qdd_y", "B", n, columns, ld, "-");
+  else
+    s += "  tl_ldl_solve_negated" + sizes + ", qdd_y" + factors;
+  return s + finite(n, "qdd", body.lanes) + body.checkFinite(1, "r_y", "qdd_y", n * columns);
 }
 
 std::string MotionFunctions::directional(Body &body) {

@@ -27,11 +27,16 @@ TL_INLINE uint32_t tl_finite_carry(const tl_real *x) {
 TL_INLINE int tl_finite_array(int n, const tl_real *x) {
 #if TL_SINGLE_NUMBERS
 #if !TL_SOFT_NUMBERS
-  enum { ROUND = 8 };      /* unrolled */
+  enum { ROUND = 8, FEW = 4 };
+  if (n > FEW) { /* unrolled */
+    tl_real total = TL_C(0.0);
+    int i = 0;
+    for (; i + ROUND <= n; i += ROUND) TL_UNROLL for (int j = 0; j < ROUND; j++) total += x[i + j];
+    TL_UNROLL for (int j = 0; j < ROUND - 1; j++) if (i + j < n) total += x[i + j];
+    if (total - total == TL_C(0.0)) return 1; /* elsewhere it may have been too large */
+  }
   tl_real sum = TL_C(0.0); /* of x - x: zero, or NaN */
-  int i = 0;
-  for (; i + ROUND <= n; i += ROUND) TL_UNROLL for (int j = 0; j < ROUND; j++) sum += x[i + j] - x[i + j];
-  TL_UNROLL for (int j = 0; j < ROUND - 1; j++) if (i + j < n) sum += x[i + j] - x[i + j];
+  for (int i = 0; i < n; i++) sum += x[i] - x[i];
   return sum == TL_C(0.0);
 #else
   uint32_t carry = 0;

@@ -506,12 +506,34 @@ TL_INLINE tl_real tl_ldl_factor_solve(int n, tl_real *x, tl_real *w, int ld, tl_
   return ratio;
 }
 
-/* The same for a column of B. */
-TL_INLINE void tl_ldl_solve_column(int n, tl_real *b, int ldb, const tl_real *w, int ld, const tl_real *d) {
+/* The same for a column of B, or its negative. x may be b. */
+TL_INLINE void tl_ldl_solve_column(int negated, int n, tl_real *x, int ldx, const tl_real *b, int ldb, const tl_real *w, int ld,
+                                   const tl_real *d) {
   tl_real y[TL_LDL_SCALAR];
   TL_UNROLL for (int i = 0; i < n; i++) y[i] = b[i * ldb];
   tl_ldl_solve_scalar(n, y, w, ld, d);
-  TL_UNROLL for (int i = 0; i < n; i++) b[i * ldb] = y[i];
+  TL_UNROLL for (int i = 0; i < n; i++) x[i * ldx] = negated ? -y[i] : y[i];
+}
+
+/* For k columns, one after the other. */
+TL_INLINE void tl_ldl_solve_columns(int negated, int n, int k, tl_real *x, int ldx, const tl_real *b, int ldb, const tl_real *w, int ld,
+                                    tl_real *d) {
+#if !TL_VECTORS
+  if (n > TL_LDL_SCALAR) {
+    tl_real *y = d + TL_ROW(n);
+    for (int j = 0; j < k; j++) {
+      for (int i = 0; i < n; i++) y[i] = b[i * ldb + j];
+      tl_ldl_solve_scalar_by_loops(n, y, w, ld, d);
+      for (int i = 0; i < n; i++) x[i * ldx + j] = negated ? -y[i] : y[i];
+    }
+    return;
+  }
+  if (n * n * k > TL_LDL_STRAIGHT) {
+    for (int j = 0; j < k; j++) tl_ldl_solve_column(negated, n, x + j, ldx, b + j, ldb, w, ld, d);
+    return;
+  }
+#endif
+  TL_UNROLL for (int j = 0; j < k; j++) tl_ldl_solve_column(negated, n, x + j, ldx, b + j, ldb, w, ld, d);
 }
 
 /* B = M^-1 B for k right-hand sides: row i of b, of length ldb >= TL_ROW(k), holds the i-th numbers of all of them. What b holds from
@@ -522,22 +544,19 @@ TL_INLINE void tl_ldl_solve_many(int n, int k, tl_real *b, int ldb, const tl_rea
     tl_ldl_solve_many_blocks(n, k, b, ldb, w, ld, d);
     return;
   }
-#else
-  if (n > TL_LDL_SCALAR) {
-    tl_real *y = d + TL_ROW(n);
-    for (int j = 0; j < k; j++) {
-      for (int i = 0; i < n; i++) y[i] = b[i * ldb + j];
-      tl_ldl_solve_scalar_by_loops(n, y, w, ld, d);
-      for (int i = 0; i < n; i++) b[i * ldb + j] = y[i];
-    }
-    return;
-  }
-  if (n * n * k > TL_LDL_STRAIGHT) {
-    for (int j = 0; j < k; j++) tl_ldl_solve_column(n, b + j, ldb, w, ld, d);
-    return;
-  }
 #endif
-  TL_UNROLL for (int j = 0; j < k; j++) tl_ldl_solve_column(n, b + j, ldb, w, ld, d);
+  tl_ldl_solve_columns(0, n, k, b, ldb, b, ldb, w, ld, d);
+}
+
+/* X = -M^-1 B, with rows of x k numbers apart. B is lost. */
+TL_INLINE void tl_ldl_solve_negated(int n, int k, tl_real *x, tl_real *b, int ldb, const tl_real *w, int ld, tl_real *d) {
+#if TL_VECTORS
+  tl_ldl_solve_many(n, k, b, ldb, w, ld, d);
+  for (int i = 0; i < n; i++)
+    for (int j = 0; j < k; j++) x[i * k + j] = -b[i * ldb + j];
+#else
+  tl_ldl_solve_columns(1, n, k, x, k, b, ldb, w, ld, d);
+#endif
 }
 
 #endif

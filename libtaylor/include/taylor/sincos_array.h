@@ -63,6 +63,14 @@ TL_INLINE void tl_sincos_some(int count, const tl_real *x, tl_real *s, tl_real *
 #define TL_SINCOS_OWN 0
 #endif
 
+#if TL_SINCOS_OWN
+TL_INLINE void tl_sincos_one(const tl_real *x, tl_real *s, tl_real *c) {
+  const tl_sincos_pair pair = tl_sincos_number(*x);
+  *s = pair.sine;
+  *c = pair.cosine;
+}
+#endif
+
 /* s[i] = sin x[i], c[i] = cos x[i] for i < n, each within 1.1 ulp; where x[i] is infinite or no number, neither is the result. s and c
  * may be x, not each other. A number's result does not depend on its place in the array, nor on the others. */
 TL_INLINE void tl_sincos_array(int n, const tl_real *x, tl_real *s, tl_real *c) {
@@ -73,10 +81,11 @@ TL_INLINE void tl_sincos_array(int n, const tl_real *x, tl_real *s, tl_real *c) 
   if (n % 4 == 2) tl_sincos_some(2, x + i, s + i, c + i);
   if (n % 4 == 3) tl_sincos_some(3, x + i, s + i, c + i);
 #elif TL_SINCOS_OWN
-  for (int i = 0; i < n; i++) {
-    const tl_sincos_pair pair = tl_sincos_number(x[i]);
-    s[i] = pair.sine;
-    c[i] = pair.cosine;
+  enum { UNROLLED = 8 };
+  if (n <= UNROLLED) {
+    TL_UNROLL for (int i = 0; i < UNROLLED; i++) if (i < n) tl_sincos_one(x + i, s + i, c + i);
+  } else {
+    for (int i = 0; i < n; i++) tl_sincos_one(x + i, s + i, c + i);
   }
 #else
   for (int i = 0; i < n; i++) {

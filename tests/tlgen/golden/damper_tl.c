@@ -154,9 +154,7 @@ int damper_jacobian(const void *params, const tl_real *restrict q, const tl_real
   B[0*8 + 0] = TL_C(1.0);
   B[0*8 + 1] = TL_C(0.4) * t1 * t2;
   if (outside1) return 1;
-  tl_ldl_solve_many(1, 2, B, 8, M, 8, dinv);
-  for (int i = 0; i < 1; ++i)
-    for (int j = 0; j < 2; ++j) qdd_y[i*2 + j] = -B[i*8 + j];
+  tl_ldl_solve_negated(1, 2, qdd_y, B, 8, M, 8, dinv);
   if (!tl_finite_array(1, qdd)) return EOM_MOTION_NOT_FINITE;
   if (!tl_finite_array(2, qdd_y)) return EOM_MOTION_NOT_FINITE;
   return 0;

@@ -175,9 +175,7 @@ int kepler_jacobian(const void *params, const tl_real *restrict q, const tl_real
   B[0*8 + 2] = TL_C(0.0);
   B[0*8 + 3] = TL_C(0.0);
   if (outside1 | outside2) return outside1 ? 1 : 2;
-  tl_ldl_solve_many(2, 4, B, 8, M, 8, dinv);
-  for (int i = 0; i < 2; ++i)
-    for (int j = 0; j < 4; ++j) qdd_y[i*4 + j] = -B[i*8 + j];
+  tl_ldl_solve_negated(2, 4, qdd_y, B, 8, M, 8, dinv);
   if (!tl_finite_array(2, qdd)) return EOM_MOTION_NOT_FINITE;
   if (!tl_finite_array(8, qdd_y)) return EOM_MOTION_NOT_FINITE;
   return 0;
