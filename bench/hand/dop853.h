@@ -9,7 +9,7 @@
 #include <math.h>
 #include <string.h>
 
-#include "../../runtime/src/method.c" /* its numbers, as constants */
+#include "../../runtime/src/method_dop853.c" /* its numbers, as constants */
 
 #define DOP853_INLINE static inline __attribute__((always_inline))
 #define DOP853_UNROLL _Pragma("GCC unroll 16")

@@ -212,7 +212,8 @@ static eom_status choose(eom_integrator *it, tl_real way) {
   return status;
 }
 
-eom_status eom_controlled_step(eom_integrator *it, tl_real t_end) {
+/* One step, not beyond t_end, and the length of the next one. */
+static eom_status controlled_step(eom_integrator *it, tl_real t_end) {
   const tl_real way = t_end - it->t;
   eom_status status = it->scheme ? choose(it, way) : it->h == TL_C(0.0) ? first_step(it, way) : eom_start_slope(it);
   if (status != EOM_OK) return status;
@@ -263,7 +264,7 @@ eom_status eom_integrator_control(eom_integrator *it, const eom_step_control *co
     return EOM_BAD_OPTION;
   if (!c->rtol_each && !c->atol_each && c->rtol == TL_C(0.0) && c->atol == TL_C(0.0)) return EOM_BAD_OPTION;
   it->control = *control;
-  it->controlled = 1;
+  it->controlled = controlled_step;
   it->log_error = TL_C(0.0);
   return EOM_OK;
 }

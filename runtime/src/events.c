@@ -17,8 +17,6 @@ static tl_real *of(const eom_events *ev, int kind) { return ev->work + (size_t)k
 
 size_t eom_events_size(int count) { return (size_t)count * KINDS; }
 
-void eom_events_forget(eom_events *ev) { ev->known = 0; }
-
 static tl_real size(tl_real x) { return TL_LIBM(fabs)(x); }
 static tl_real larger(tl_real a, tl_real b) { return a > b ? a : b; }
 
@@ -178,14 +176,14 @@ eom_status eom_watch_step(eom_integrator *it) {
   const int parts = ev->parts > 0 ? ev->parts : USUAL_PARTS;
   const tl_real start = it->t_before, end = it->t_after;
   eom_event_action action = EOM_EVENT_GO_ON;
-  eom_status status = ev->known && ev->known_t == start ? EOM_OK : begin(it);
+  eom_status status = it->watched && ev->known && ev->known_t == start ? EOM_OK : begin(it);
   for (int part = 0; part < parts && status == EOM_OK && action == EOM_EVENT_GO_ON; part++) {
     const tl_real from = start + (end - start) * ((tl_real)part / (tl_real)parts);
     const tl_real to = part + 1 == parts ? end : start + (end - start) * ((tl_real)(part + 1) / (tl_real)parts);
     status = watch_part(it, from, to, &action);
   }
   if (status != EOM_OK) return status;
-  if (action == EOM_EVENT_GO_ON) ev->known = 1, ev->known_t = end;
+  if (action == EOM_EVENT_GO_ON) it->watched = 1, ev->known = 1, ev->known_t = end;
   return action == EOM_EVENT_STOP ? EOM_STOPPED : EOM_OK;
 }
 

@@ -91,7 +91,7 @@ static uint64_t identity(const eom_lyapunov *ly) {
   stream s = {.mode = HASH, .hash = no_hash};
   const eom_system *sys = ly->sys;
   eom_lyapunov_options o = ly->options;
-  int sizes[] = {sys->n, sys->m1, sys->m2, ly->d, ly->k, (int)o.scheme, (int)o.product, TL_MANT_DIG, ly->it.controlled};
+  int sizes[] = {sys->n, sys->m1, sys->m2, ly->d, ly->k, (int)o.scheme, (int)o.product, TL_MANT_DIG, ly->it.controlled != NULL};
   for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) pass_int(&s, &sizes[i]);
   pass_text(&s, sys->model->name);
   pass_text(&s, o.method->name);

@@ -23,8 +23,9 @@ int eom_combine(const eom_integrator *it, tl_real *out, const tl_real *from, tl_
   size_t i = 0;
   for (; i + EOM_CHUNK * EOM_LANE <= it->stride; i += EOM_CHUNK * EOM_LANE)
     combine_vectors(it, EOM_CHUNK, i, out, from, h, w, first, count, &differences);
-  for (; i + 4 * EOM_LANE <= it->stride; i += 4 * EOM_LANE) combine_vectors(it, 4, i, out, from, h, w, first, count, &differences);
-  for (; i < it->stride; i += EOM_LANE) combine_vectors(it, 1, i, out, from, h, w, first, count, &differences);
+  for (; EOM_LANE > 1 && i + 4 * EOM_LANE <= it->stride; i += 4 * EOM_LANE)
+    combine_vectors(it, 4, i, out, from, h, w, first, count, &differences);
+  for (; EOM_LANE > 1 && i < it->stride; i += EOM_LANE) combine_vectors(it, 1, i, out, from, h, w, first, count, &differences);
   return eom_sum_lanes(&differences) == TL_C(0.0);
 }
 
@@ -55,8 +56,9 @@ static int add_increment(eom_integrator *it, tl_real h, const tl_real *w, int co
   size_t i = 0;
   for (; i + EOM_CHUNK * EOM_LANE <= it->stride; i += EOM_CHUNK * EOM_LANE)
     increment_vectors(it, EOM_CHUNK, i, h, w, first, count, &differences);
-  for (; i + 4 * EOM_LANE <= it->stride; i += 4 * EOM_LANE) increment_vectors(it, 4, i, h, w, first, count, &differences);
-  for (; i < it->stride; i += EOM_LANE) increment_vectors(it, 1, i, h, w, first, count, &differences);
+  for (; EOM_LANE > 1 && i + 4 * EOM_LANE <= it->stride; i += 4 * EOM_LANE)
+    increment_vectors(it, 4, i, h, w, first, count, &differences);
+  for (; EOM_LANE > 1 && i < it->stride; i += EOM_LANE) increment_vectors(it, 1, i, h, w, first, count, &differences);
   return eom_sum_lanes(&differences) == TL_C(0.0);
 }
 

@@ -32,7 +32,8 @@ typedef tl_v4 eom_lane;
 #else
 typedef tl_real eom_lane;
 #endif
-enum { EOM_LANE = sizeof(eom_lane) / sizeof(tl_real), EOM_CHUNK = 8 /* vectors whose sums are formed together, at most */ };
+/* Vectors whose sums are formed together, at most; where they are single numbers, a block. */
+enum { EOM_LANE = sizeof(eom_lane) / sizeof(tl_real), EOM_CHUNK = EOM_LANE > 1 ? 8 : EOM_BLOCK };
 #define EOM_AT(address) (*(eom_lane *)(address))
 #define EOM_AT_CONST(address) (*(const eom_lane *)(address))
 
@@ -109,8 +110,8 @@ typedef struct eom_scheme {
   eom_status (*attempt)(eom_integrator *it, tl_real h, tl_real t1);     /* trial, the slope there, it->error and it->worst; likewise */
 } eom_scheme;
 
-/* One step whose length is chosen, not beyond t_end, and the length of the next one. */
-eom_status eom_controlled_step(eom_integrator *it, tl_real t_end);
+/* Tries and takes a step of h to t1, whatever its error. RHS_FAILED, NOT_FINITE. */
+eom_status eom_fixed_step(eom_integrator *it, tl_real h, tl_real t1);
 
 /* All count numbers are finite. */
 int eom_all_finite(const tl_real *x, int count);
@@ -137,9 +138,6 @@ void eom_kept_at(int rows, int dim, const tl_real *kept, tl_real x, tl_real *y);
 /* Handles the events of the step that was taken; it->t is then the end of the step, or the time of the event that cut it short. STOPPED
  * where one stops; errors of eom_integrator_at and of the user's functions (RHS_FAILED, NOT_FINITE). */
 eom_status eom_watch_step(eom_integrator *it);
-
-/* The next step begins at another state than the last one ended with. */
-void eom_events_forget(struct eom_events *events);
 
 /* Writes what it->outputs asks for in the last step, not beyond a time in it. Errors of eom_integrator_at. */
 eom_status eom_write_outputs(eom_integrator *it, tl_real until);

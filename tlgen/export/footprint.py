@@ -36,7 +36,7 @@ POINTERS = [  # name, whether function f of the model is one
     (r"cholesky|qr|solve_lower(_transposed)?|solve_upper(_transposed)?|apply_qt?",
      lambda f, name, model: f in ("linalg_core.c:" + name, "eom_core_" + name)),
     (r"rhs", lambda f, name, model: f in ("main.c:rhs", "eom_rhs")),
-    (r"correct|observe|root|handle|write|step|attempt|choose", lambda f, name, model: False),  # the example gives none
+    (r"correct|controlled|observe|root|handle|write|step|attempt|choose", lambda f, name, model: False),  # the example gives none
 ]
 
 # Why a rule of MISRA-C:2012 is not kept, by rule, for the library's own code and what tlgen prints.

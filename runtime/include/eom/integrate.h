@@ -48,9 +48,10 @@ typedef struct eom_integrator {
   const tl_real *y_before; /* dim: its state */
 
   eom_step_control control; /* read only; set by eom_integrator_control */
-  int controlled;           /* 1: steps are chosen */
-  tl_real error;            /* of the last step tried, as in eom_step_control */
-  int worst;                /* the component with the largest E_i / scale_i at a STEP_TOO_SMALL, -1 elsewhere */
+  /* A step whose length is chosen, not beyond t_end; null: steps are fixed. Likewise. */
+  eom_status (*controlled)(struct eom_integrator *it, tl_real t_end);
+  tl_real error; /* of the last step tried, as in eom_step_control */
+  int worst;     /* the component with the largest E_i / scale_i at a STEP_TOO_SMALL, -1 elsewhere */
 
   long steps;       /* taken, since t0 */
   long rejected;    /* tried and refused for their error */
@@ -59,7 +60,7 @@ typedef struct eom_integrator {
   int rhs_code;     /* what rhs or correct returned at a failure */
 
   /* private */
-  int slope0, interpolates;
+  unsigned char slope0, interpolates, watched;
   tl_real t_after, log_error;
   size_t stride;
   tl_real *slope, *trial, *before, *carry, *kept;

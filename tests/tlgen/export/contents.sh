@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # An export compiles with the line in its MANIFEST, without a warning, in both number types, and its float run agrees with its double
-# run; it has every file that it needs and none that it does not: without any one of them it does not build.
+# run; it has every file that it needs and none that it does not: without any one of them it does not build, and of each source something
+# is left in a program without what nothing reaches from main.
 #   contents.sh TLGEN COMPILER SOURCE ARGUMENT..
 set -euo pipefail
 tlgen=$1 compiler=$2
@@ -27,7 +28,9 @@ objects=$work/objects
 mkdir "$objects"
 sources=(*.c)
 [ ! -d src ] || sources+=(src/*.c)
-for source in "${sources[@]}"; do "$compiler" -std=c11 -O0 -DNDEBUG -I. -Iinclude -c "$source" -o "$objects/$(basename "$source" .c).o"; done
+for source in "${sources[@]}"; do
+  "$compiler" -std=c11 -O0 -DNDEBUG -ffunction-sections -fdata-sections -I. -Iinclude -c "$source" -o "$objects/$(basename "$source" .c).o"
+done
 link() { "$compiler" "$@" -lm -o "$work/linked" 2>/dev/null; }
 link "$objects"/*.o || { echo "the objects do not link"; exit 1; }
 failed=0
@@ -35,6 +38,13 @@ for object in "$objects"/*.o; do
   mv "$object" "$work/away"
   ! link "$objects"/*.o || { echo "$(basename "$object" .o).c is not needed"; failed=1; }
   mv "$work/away" "$object"
+done
+"$compiler" "$objects"/*.o -Wl,--gc-sections -lm -o "$work/linked"
+names() { nm --defined-only -g "$1" | awk '{ print $3 }' | sort; }
+names "$work/linked" >"$work/reached"
+for object in "$objects"/*.o; do
+  names "$object" >"$work/defined"
+  [ -n "$(comm -12 "$work/defined" "$work/reached")" ] || { echo "nothing of $(basename "$object" .o).c is reached from main"; failed=1; }
 done
 mapfile -t headers < <(find . -name '*.h')
 [ ${#headers[@]} -gt 5 ]
