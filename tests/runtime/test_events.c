@@ -313,6 +313,24 @@ static eom_event_action bounce(void *user, int event, double t, double *y) {
   return EOM_EVENT_CHANGED;
 }
 
+/* Between two calls the caller puts the ball below the level: what g was before is forgotten, and the only event is the next one. */
+static void state_set_from_outside(void **state) {
+  (void)state;
+  for (int k = 0; k < 2 * METHODS; k++) { /* steps that are chosen, and fixed ones */
+    const double y[2] = {1, 0};
+    run r;
+    start(&r, methods[k / 2], ball, 0, y, 1e-10, 1, height);
+    if (k % 2) r.it.controlled = NULL, r.it.h = 0.015625;
+    assert_int_equal(eom_integrate(&r.it, 0.25, NULL, NULL), EOM_OK);
+    r.it.y[0] = -1;
+    r.it.y[1] = 5;
+    eom_integrator_restart(&r.it);
+    assert_int_equal(eom_integrate(&r.it, 0.75, NULL, NULL), EOM_OK);
+    assert_int_equal(r.seen, 1); /* up at -1 + 5 x - 4 x^2 = 0 */
+    assert_close(r.t[0], 0.5, 0, 1e-9);
+  }
+}
+
 static void bouncing_ball(void **state) {
   (void)state;
   for (int k = 0; k < 2 * METHODS; k++) { /* steps that are chosen, and fixed ones */
@@ -320,7 +338,7 @@ static void bouncing_ball(void **state) {
     run r;
     start(&r, methods[k / 2], ball, 0, y, 1e-10, 1, height);
     r.events.handle = bounce;
-    if (k % 2) r.it.controlled = 0, r.it.h = 0.015625;
+    if (k % 2) r.it.controlled = NULL, r.it.h = 0.015625;
     assert_int_equal(eom_integrate(&r.it, 1.495, NULL, NULL), EOM_OK);
     assert_same(r.it.t, 1.495);
     double landing = 0.5;
@@ -449,12 +467,13 @@ static void output_across_events(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(every_zero_in_order),  cmocka_unit_test(times_to_the_tolerance),
-                                     cmocka_unit_test(soon_after_the_start), cmocka_unit_test(directions),
-                                     cmocka_unit_test(several_in_a_step),    cmocka_unit_test(random_functions),
-                                     cmocka_unit_test(stops_and_goes_on),    cmocka_unit_test(no_second_event_from_rounding),
-                                     cmocka_unit_test(bouncing_ball),        cmocka_unit_test(simultaneous_events),
-                                     cmocka_unit_test(failures_of_roots),    cmocka_unit_test(output_at_given_times),
-                                     cmocka_unit_test(output_from_a_list),   cmocka_unit_test(output_across_events)};
+  const struct CMUnitTest tests[] = {cmocka_unit_test(every_zero_in_order),   cmocka_unit_test(times_to_the_tolerance),
+                                     cmocka_unit_test(soon_after_the_start),  cmocka_unit_test(directions),
+                                     cmocka_unit_test(several_in_a_step),     cmocka_unit_test(random_functions),
+                                     cmocka_unit_test(stops_and_goes_on),     cmocka_unit_test(no_second_event_from_rounding),
+                                     cmocka_unit_test(bouncing_ball),         cmocka_unit_test(simultaneous_events),
+                                     cmocka_unit_test(failures_of_roots),     cmocka_unit_test(output_at_given_times),
+                                     cmocka_unit_test(output_from_a_list),    cmocka_unit_test(output_across_events),
+                                     cmocka_unit_test(state_set_from_outside)};
   return cmocka_run_group_tests_name("events", tests, NULL, NULL);
 }
