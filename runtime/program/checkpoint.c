@@ -36,7 +36,7 @@ int checkpoint_write(const char *path, const char *terms, const eom_lyapunov *ly
   if (status == 0) {
     fprintf(o.file, HEAD "%08lx\n", z.terms, z.rows, z.width, z.image, z.sum);
     fwrite(terms, 1, z.terms, o.file);
-    fwrite(rows->rows, 1, bytes_of_rows(&z), o.file);
+    if (rows->count > 0) fwrite(rows->rows, 1, bytes_of_rows(&z), o.file);
     fwrite(image, 1, z.image, o.file);
     status = output_commit(&o);
   }
