@@ -203,7 +203,7 @@ static void little_is_wasted(void **state) {
   eom_lyapunov_options options = chosen_steps(EOM_LYAPUNOV_DISCRETE);
   options.tangent_tolerance = 1e-4;
   eom_lyapunov *ly = start_with(sys, &options, START_ANGLE);
-  const int marks = test_tries(10);
+  const int marks = 8; /* too few tell nothing: the first steps have no step before them */
   run(ly, marks);
   print_message("%ld steps of the motion, %ld of the tangents and %ld refused\n", ly->it.steps, ly->tangents.steps,
                 ly->tangents.rejected);
