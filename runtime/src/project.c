@@ -187,11 +187,113 @@ static eom_status project(eom_system *sys, tl_real *q, tl_real *qd, tl_real t, e
   return EOM_OK;
 }
 
+/* ---- from near the rows ---- */
+
+/* Steps of integration end near the rows. There the first factorisation serves for all steps of Newton's method, and A M^-1 A' may
+ * square the condition of A, since each step corrects the one before: with M = L L' and B = A L^-T, the step is L^-T B' (B B')^-1
+ * -miss. Where this is not as plain as that, nothing is lost but its time. */
+
+/* a = L L', in its place. diagonal: n, of a. Whether all pivots are safe. */
+static bool factor_safely(const eom_linalg *la, int n, tl_real *a, tl_real *diagonal) {
+  for (int i = 0; i < n; i++) diagonal[i] = a[i * n + i];
+  if (la->cholesky(n, a) != 0) return false;
+  for (int i = 0; i < n; i++)
+    if (!(a[i * n + i] * a[i * n + i] > EOM_MOTION_SAFE_PIVOT * diagonal[i])) return false;
+  return true;
+}
+
+/* L in factor.L, B' in factor.B, and what brings the diagonal of M near 1 in factor.S. */
+static bool factor_near_mass(eom_system *sys) {
+  const eom_linalg *la = sys->workspace->linalg;
+  eom_factor *f = &sys->workspace->factor;
+  const size_t n = (size_t)sys->n, m = (size_t)sys->m;
+  memcpy(f->L, sys->M, n * n * sizeof(tl_real));
+  memcpy(f->B, sys->A, m * n * sizeof(tl_real));
+  f->kept = false;
+  if (!factor_safely(la, sys->n, f->L, f->y)) return false;
+  for (int i = 0; i < sys->n; i++) f->S[i] = TL_LIBM(ldexp)(TL_C(1.0), -(TL_LIBM(ilogb)(f->y[i]) / 2));
+  la->solve_lower(sys->n, f->L, sys->m, f->B);
+  return true;
+}
+
+/* B B' = U U' of the first count rows. */
+static bool factor_near_rows(eom_system *sys, int count) {
+  eom_factor *f = &sys->workspace->factor;
+  const int n = sys->n;
+  for (int r = 0; r < count; r++)
+    for (int s = 0; s <= r; s++) {
+      tl_real sum = TL_C(0.0);
+      for (int i = 0; i < n; i++) sum += f->B[r * n + i] * f->B[s * n + i];
+      f->U[r * count + s] = sum;
+    }
+  return factor_safely(sys->workspace->linalg, count, f->U, f->v);
+}
+
+/* The step, in sys->qdd. */
+static void find_near_step(eom_system *sys, const level *l) {
+  const eom_workspace *ws = sys->workspace;
+  const eom_linalg *la = ws->linalg;
+  const eom_factor *f = &ws->factor;
+  const int n = sys->n;
+  l->misses(sys, ws->miss);
+  la->solve_lower(l->count, f->U, 1, ws->miss);
+  la->solve_lower_transposed(l->count, f->U, 1, ws->miss);
+  memset(sys->qdd, 0, (size_t)n * sizeof(tl_real));
+  for (int r = 0; r < l->count; r++)
+    for (int i = 0; i < n; i++) sys->qdd[i] -= f->B[r * n + i] * ws->miss[r];
+  la->solve_lower_transposed(n, f->L, 1, sys->qdd);
+}
+
+/* Where the equations are assembled at q and qd, steps until they are rounding, each far shorter than the one before. */
+static bool descend_near(eom_system *sys, level *l, const tl_real *q, const tl_real *qd, tl_real t) {
+  const tl_real near = TL_C(1e-3), rounding = TL_C(4.0) * TL_EPSILON, nearly = TL_C(64.0) * TL_EPSILON;
+  tl_real last = TL_MAX;
+  for (int step = 0;; step++) {
+    if (step > 0 && eom_assemble_parts(sys, q, qd, t) != EOM_OK) return false;
+    find_near_step(sys, l);
+    const tl_real change = extent(sys, sys->qdd), size = TL_LIBM(fmax)(extent(sys, l->x), change);
+    if (change <= rounding * size) return true;
+    if (!(change <= near * size)) return false;
+    if (!(change < near * last)) return change <= nearly * size;
+    for (int i = 0; i < sys->n; i++) l->x[i] += sys->qdd[i];
+    ++*l->steps;
+    last = change;
+  }
+}
+
+/* As project does after a step, where nothing is held or kept; false: not so plain. */
+static bool project_near(eom_system *sys, tl_real *q, tl_real *qd, tl_real t, eom_projection *p) {
+  level coordinates = {.x = q, .count = sys->m1, .misses = misses_of_coordinates, .steps = &p->steps_q};
+  level velocities = {.x = qd, .count = sys->m, .misses = misses_of_velocities, .steps = &p->steps_qd};
+  if (sys->m == 0 || sys->m > sys->n || eom_assemble_parts(sys, q, qd, t) != EOM_OK || !factor_near_mass(sys)) return false;
+  if (sys->m1 > 0 && !(factor_near_rows(sys, sys->m1) && descend_near(sys, &coordinates, q, qd, t))) return false;
+  if (sys->m2 > 0 && !factor_near_rows(sys, sys->m)) return false;
+  if (!descend_near(sys, &velocities, q, qd, t)) return false;
+  for (int r = 0; r < sys->m; r++) sys->row_kind[r] = EOM_ROW_INDEPENDENT;
+  sys->report.rank = sys->m;
+  sys->report.condition = TL_C(-1.0);
+  return true;
+}
+
+/* ---- the choice ---- */
+
 /* Afresh: whatever was held is forgotten. */
 static void release(eom_system *sys) {
   eom_held *held = &sys->workspace->held;
   held->rank_q = held->rank = sys->held_rank = -1;
   held->speed = TL_C(0.0);
+}
+
+static eom_status bring_onto_rows(eom_system *sys, tl_real *q, tl_real *qd, tl_real t, eom_projection *p) {
+  if (p->after_step && !sys->options.hold.on && !p->keep_q && !p->keep_qd) {
+    const size_t bytes = (size_t)sys->n * sizeof(tl_real);
+    if (project_near(sys, q, qd, t, p)) return judge_jump(sys, q, qd);
+    memcpy(q, sys->workspace->was, bytes);
+    memcpy(qd, sys->workspace->was + sys->n, bytes);
+    p->steps_q = p->steps_qd = 0;
+    if (eom_start(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  }
+  return project(sys, q, qd, t, p);
 }
 
 eom_status eom_project(eom_system *sys, tl_real *q, tl_real *qd, tl_real t, eom_projection *projection) {
@@ -206,7 +308,7 @@ eom_status eom_project(eom_system *sys, tl_real *q, tl_real *qd, tl_real t, eom_
   memcpy(was_q, q, bytes);
   memcpy(was_qd, qd, bytes);
   p->steps_q = p->steps_qd = 0;
-  if (project(sys, q, qd, t, p) != EOM_OK) {
+  if (bring_onto_rows(sys, q, qd, t, p) != EOM_OK) {
     memcpy(q, was_q, bytes);
     memcpy(qd, was_qd, bytes);
     sys->workspace->held = held;

@@ -24,10 +24,11 @@ typedef struct eom_projection {
  * mass metric, delta' M delta, that satisfies the linearised rows. Dependent rows that agree are no difficulty. With options.hold, and
  * where nothing is kept, decides on the rank for the solves that follow: sys->held_rank and rank_changes; row_kind and report.row say
  * which rows are dropped, and these may miss by take times ahead. q, qd: n, changed in place, and as they were where the status is not
- * EOM_OK. projection may be null. Leaves the fields of assemble and of solve unspecified but for row_kind. INCONSISTENT where rows
- * contradict each other, or what is kept leaves no state that satisfies them (report.row: the rows that miss); NO_CONSISTENT_STATE
- * where Newton's method does not get there (likewise); VELOCITY_JUMP (report.index: the velocity that changed most); NO_INERTIA; errors
- * of eom_assemble. */
+ * EOM_OK. projection may be null. Leaves the fields of assemble and of solve unspecified but for row_kind. After a step that ends near
+ * the rows, where these are safely independent, one factorisation serves for all Newton steps; report.condition is -1 then.
+ * INCONSISTENT where rows contradict each other, or what is kept leaves no state that satisfies them (report.row: the rows that miss);
+ * NO_CONSISTENT_STATE where Newton's method does not get there (likewise); VELOCITY_JUMP (report.index: the velocity that changed
+ * most); NO_INERTIA; errors of eom_assemble. */
 eom_status eom_project(eom_system *sys, tl_real *q, tl_real *qd, tl_real t, eom_projection *projection);
 
 /* The same for y = (q,qd): 2n, after_step, as what an eom_integrator does; user is the eom_system. Returns an eom_status. */
