@@ -13,12 +13,13 @@ static void raise_flag(int number) {
 }
 
 void watch_interrupts(void) {
-  struct sigaction action;
+  struct sigaction action, before;
   memset(&action, 0, sizeof action);
   action.sa_handler = raise_flag;
   action.sa_flags = SA_RESTART;
   sigaction(SIGINT, &action, NULL);
   sigaction(SIGTERM, &action, NULL);
+  if (sigaction(SIGHUP, NULL, &before) == 0 && before.sa_handler != SIG_IGN) sigaction(SIGHUP, &action, NULL); /* else it is nohup's */
   action.sa_handler = SIG_IGN;
   sigaction(SIGPIPE, &action, NULL);
 }

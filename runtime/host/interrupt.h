@@ -4,7 +4,8 @@
 
 #include <stdbool.h>
 
-/* From now on Ctrl-C and a request to end only set the flag, and a closed pipe is an error of the write, not the end of the program. */
+/* From now on Ctrl-C, a request to end and the end of the terminal (but for nohup's) only set the flag, and a closed pipe is an error
+ * of the write, not the end of the program. */
 void watch_interrupts(void);
 
 /* Whether the user wants the program to end. Safe from any thread. */
