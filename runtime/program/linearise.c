@@ -100,6 +100,20 @@ static void warn_of_distance(const setup *s, const double *before) {
     complain("this is far from the start: %s went from %g to %g", component_name(s, most), before[most], s->q[most]);
 }
 
+/* Velocities that stay as they are may be why. */
+static void explain_acceleration(const command *c, int i) {
+  const setup *s = &c->s;
+  int moving = c->steady ? 2 * s->n : s->n;
+  while (moving < 2 * s->n && s->q[moving] == 0.0) moving++;
+  if (moving < 2 * s->n)
+    complain(
+        "nothing near this state holds %s at the velocities given, which --equilibrium leaves as they are (%s = %g); start at rest, or "
+        "try --steady",
+        component_name(s, i), component_name(s, moving), s->q[moving]);
+  else
+    complain("nothing near this state holds %s", component_name(s, i));
+}
+
 static int find_state(const command *c) {
   const setup *s = &c->s;
   eom_equilibrium e = {.keep_q = s->any_kept[0] ? s->keep : NULL, .keep_qd = c->steady ? s->keep + s->n : NULL};
@@ -111,8 +125,7 @@ static int find_state(const command *c) {
       memory != NULL && before != NULL ? eom_find_equilibrium(s->sys, s->q, s->qd, s->t0, &e, memory, bytes) : EOM_NO_MEMORY;
   if (status != EOM_OK) {
     complain_status(s->sys, status, c->steady ? "no steady motion" : "no equilibrium");
-    if (status == EOM_NO_EQUILIBRIUM && s->sys->report.index >= 0)
-      complain("nothing holds %s", component_name(s, s->sys->report.index));
+    if (status == EOM_NO_EQUILIBRIUM && s->sys->report.index >= 0) explain_acceleration(c, s->sys->report.index);
   } else {
     printf("%s after %d steps; largest acceleration left %.1e\n", c->steady ? "Steady motion" : "Equilibrium", e.steps, e.residual);
     warn_of_distance(s, before);

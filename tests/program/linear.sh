@@ -38,3 +38,6 @@ run 0 "$program" linearise "$models/pendulum.so" --set n=2 $unit --q 75deg,0
 says scratch/out.txt 'It is no equilibrium'
 run 1 "$program" linearise "$models/cart_pole.so" --set cart_mass=1 --set pole_mass=0.1 --set pole_length=1 --set gravity=9.81 --set push=1 --equilibrium
 says scratch/err.txt 'no equilibrium'
+says scratch/err.txt '^eom: nothing near this state holds q\[0\]$'
+run 1 "$program" linearise "$models/kepler.so" --q 1,0 --qd 0,1.5 --equilibrium
+says scratch/err.txt '^eom: nothing near this state holds q\[[01]\] at the velocities given, which --equilibrium leaves as they are \(qd\[1\] = 1\.5\)'
