@@ -69,6 +69,13 @@ static int fail(reader *r, const char *format, ...) {
   return -1;
 }
 
+/* What stands where nothing can: a character, all bytes of it. */
+static int fail_here(reader *r) {
+  int bytes = 1;
+  while (((unsigned char)r->at[bytes] & 0xC0) == 0x80) bytes++; /* UTF-8's further ones */
+  return fail(r, "'%.*s' does not belong here", bytes, r->at);
+}
+
 static int put(reader *r, node n) {
   if (r->f->count == MOST_NODES) return fail(r, "the formula is too long");
   r->f->nodes[r->f->count] = n;
@@ -222,7 +229,7 @@ static int primary(reader *r) {
     return put(r, (node){.op = NUMBER, .value = value, .a = -1, .b = -1});
   }
   if (isalpha((unsigned char)*r->at) || *r->at == '_') return named(r);
-  return *r->at == '\0' ? fail(r, "something is missing") : fail(r, "'%c' does not belong here", *r->at);
+  return *r->at == '\0' ? fail(r, "something is missing") : fail_here(r);
 }
 
 static int factor(reader *r);
@@ -275,7 +282,7 @@ formula *formula_parse(const char *text, formula_names names, const model *m, ch
   reader r = {.text = text, .at = text, .names = names, .m = m, .f = f, .error = error, .size = size};
   f->root = sum(&r);
   skip(&r);
-  if (error[0] == '\0' && *r.at != '\0') fail(&r, "'%c' does not belong here", *r.at);
+  if (error[0] == '\0' && *r.at != '\0') fail_here(&r);
   if (error[0] == '\0') return f;
   free(f);
   return NULL;

@@ -15,7 +15,7 @@
 #include <stdlib.h>
 #include <string.h>
 
-enum { MOST_N = 100000, MOST_NAME = 128, ERROR_SIZE = 512 };
+enum { MOST_N = 100000, MOST_NAME = 128, MOST_LINE = 1 << 24, ERROR_SIZE = 512 };
 
 const char setup_help[] =
     "Parameters and start, in a text file (--start) or one by one (--set), later ones in the place of earlier ones:\n"
@@ -78,39 +78,51 @@ static void free_entries(entries *list) {
   free(list->all);
 }
 
-static int read_file(entries *list, const char *path) {
-  FILE *file = fopen(path, "r");
-  char *text = NULL;
-  size_t size = 0;
-  ssize_t length;
-  int status = 0, number = 0;
-  if (file == NULL) {
-    complain("--start %s: %s", path, strerror(errno));
-    return -1;
+/* The next line of a file: at most MOST_LINE - 1 characters. Returns 1, 0 at the end of the file, or -1 where it is no line of a text,
+ * and *why. */
+static int next_line(FILE *file, char *line, const char **why) {
+  int length = 0;
+  for (int c = 0; c != '\n' && (c = getc(file)) != EOF; line[length++] = (char)c) {
+    *why = c == '\0' ? "a byte that no text has" : "the line is too long";
+    if (c == '\0' || length == MOST_LINE - 1) return -1;
   }
-  while (status == 0 && (length = getline(&text, &size, file)) >= 0) {
+  line[length] = '\0';
+  return length > 0;
+}
+
+static int read_lines(entries *list, const char *path, FILE *file, char *text) {
+  static const char mark[] = "\xEF\xBB\xBF"; /* of UTF-8, which some editors write at the start */
+  const char *why;
+  int number = 0, read;
+  while ((read = next_line(file, text, &why)) != 0) {
     char place[512];
     snprintf(place, sizeof place, "%s:%d", path, ++number);
-    if (strlen(text) != (size_t)length) {
-      complain("%s: a byte that no text has; --start wants lines of name = value", place);
-      status = -1;
-      break;
+    if (read < 0) {
+      complain("%s: %s; --start wants lines of name = value", place, why);
+      return -1;
     }
     text[strcspn(text, "#")] = '\0';
-    char *line = trimmed(text);
-    if (line[0] != '\0') status = add_entry(list, place, line);
+    char *line = trimmed(number == 1 && strncmp(text, mark, 3) == 0 ? text + 3 : text);
+    if (line[0] != '\0' && add_entry(list, place, line) != 0) return -1;
   }
-  if (status == 0 && ferror(file)) {
+  return 0;
+}
+
+static int read_file(entries *list, const char *path) {
+  FILE *file = fopen(path, "r");
+  char *text = file != NULL ? malloc(MOST_LINE) : NULL;
+  int status = text != NULL ? read_lines(list, path, file, text) : -1;
+  if (text == NULL || (status == 0 && ferror(file))) {
     complain("--start %s: %s", path, strerror(errno));
     status = -1;
   }
   free(text);
-  fclose(file);
+  if (file != NULL) fclose(file);
   return status;
 }
 
-/* The next value of a list with blanks or commas between them, "deg" being a part of the value before it: written to token. Returns
- * what follows, or null at the end. */
+/* The next value of a list with blanks or commas between them, "deg" being a part of the value before it: written to token, of which it
+ * fills all where it is too long. Returns what follows, or null at the end. */
 static const char *next_value(const char *text, char *token, size_t size) {
   size_t n = 0;
   text += strspn(text, " \t,");
@@ -153,8 +165,12 @@ static int read_values(const entry *e, double *value, int most) {
       complain("%s: %s has %d value%s at most, and more are given", e->place, e->name, most, most == 1 ? "" : "s");
       return -1;
     }
-    if (formula_number(token, &value[count], error, sizeof error) == 0) continue;
-    complain("%s: %s = %s", e->place, e->name, error);
+    const bool whole = strlen(token) + 1 < sizeof token;
+    if (whole && formula_number(token, &value[count], error, sizeof error) == 0) continue;
+    if (whole)
+      complain("%s: %s = %s", e->place, e->name, error);
+    else
+      complain("%s: %s = %.40s..: a value has %zu characters at most", e->place, e->name, token, sizeof token - 2);
     return -1;
   }
   return count;
@@ -510,15 +526,72 @@ bool setup_driven(const setup *s) {
   return !same;
 }
 
+/* The characters of "link[2]" in "link[2].mass": the element of an array of structs that a parameter is in; 0: of none. */
+static size_t element_length(const char *name) {
+  size_t length = 0;
+  for (size_t i = 0; name[i] != '\0'; i++)
+    if (name[i] == ']' && name[i + 1] == '.') length = i + 1;
+  return length;
+}
+
+/* Whether parameters i and k are of one element. */
+static bool same_element(const eom_description *d, int i, int k) {
+  const char *a = d->parameter[i].name, *b = d->parameter[k].name;
+  const size_t length = element_length(a);
+  return length > 0 && element_length(b) == length && strncmp(a, b, length) == 0;
+}
+
+/* Behind parameter i and those of the same element. */
+static int element_end(const eom_description *d, int i) {
+  int end = i + 1;
+  while (end < d->nparameter && same_element(d, i, end)) end++;
+  return end;
+}
+
+static bool is_missing(const setup *s, int i) { return !s->model.set[i] && parameter_count(&s->model.description->parameter[i]) > 0; }
+
+/* Parameter i is of an element of which nothing was given. */
+static bool all_missing(const setup *s, int i) {
+  const eom_description *d = s->model.description;
+  if (element_length(d->parameter[i].name) == 0) return false;
+  while (i > 0 && same_element(d, i, i - 1)) i--;
+  for (const int end = element_end(d, i); i < end; i++)
+    if (!is_missing(s, i)) return false;
+  return true;
+}
+
+/* Whether parameters i and k are of elements of one array. */
+static bool same_array(const eom_description *d, int i, int k) {
+  const char *a = d->parameter[i].name, *b = d->parameter[k].name;
+  size_t n = element_length(a);
+  while (n > 0 && a[n] != '[') n--;
+  return n > 0 && strncmp(a, b, n + 1) == 0;
+}
+
+/* The name of parameter i; of whole elements of an array of structs the first and the last one. Returns what comes behind. */
+static int print_missing(const setup *s, int i) {
+  const eom_description *d = s->model.description;
+  const char *name = d->parameter[i].name;
+  int last = i, end = element_end(d, i);
+  if (!all_missing(s, i)) return printf("%s", name), i + 1;
+  for (; end < d->nparameter && same_array(d, i, end) && all_missing(s, end); end = element_end(d, end)) last = end;
+  printf("%.*s", (int)element_length(name), name);
+  if (last != i) printf(" to %.*s", (int)element_length(d->parameter[last].name), d->parameter[last].name);
+  return end;
+}
+
 void setup_print(const setup *s) {
   const eom_description *d = s->model.description;
   int missing = 0;
   printf("Model %s: %d coordinate%s", d->model->name, s->n, s->n == 1 ? "" : "s");
   if (s->sys->m > 0) printf(", %d constraint row%s", s->sys->m, s->sys->m == 1 ? "" : "s");
   putchar('\n');
-  for (int i = 0; i < d->nparameter; i++) {
-    if (s->model.set[i] || parameter_count(&d->parameter[i]) == 0) continue;
-    printf("%s%s", missing++ == 0 ? "Parameters that were not given, and are zero: " : ", ", d->parameter[i].name);
+  for (int i = 0; i < d->nparameter;) {
+    if (is_missing(s, i)) {
+      fputs(missing++ == 0 ? "Parameters that were not given, and are zero: " : ", ", stdout);
+      i = print_missing(s, i);
+    } else
+      i++;
   }
   if (missing > 0) printf(".\n");
 }

@@ -13,6 +13,7 @@ cat >"$cases/eom" <<'EOF'
 printf 'g = 9.81 # m/s^2\n\ngravitas = 1\n' >scratch/typo.txt
 printf '# two lengths\nlength\n' >scratch/line.txt
 printf 'q[1] = 7 5\n' >scratch/value.txt
+[ -e scratch/endless.txt ] || head -c 17000000 /dev/zero | tr "\0" 1 >scratch/endless.txt
 head -c 9000 "$models"/pendulum.so >scratch/cut.so
 exec "$eom" "$@"
 EOF

@@ -58,3 +58,15 @@ says v.csv '^t,x,y,xd,yd,energy,energy_change,v$'
 run 0 "$program" run "$model" --start all.txt --t-end 1e-9 --column 'a=2^3^2-2*3/4-(1-2)-3' --column 'b=-2^2' --column 'c=atan2(1,-1)/pi' \
   --column 'd=table[1][2]+spring[0].rest[1]*q[0]+x' --column 'e=hypot(3,4)*1e-1+max(steps,-3)' --csv c.csv
 [ "$(sed -n 2p c.csv | rev | cut -d, -f 1-5 | rev)" = 508.5,-4,0.75,4.25,-1.5 ] || fail "the formulas give $(sed -n 2p c.csv)"
+
+# What was not given is named, whole elements of an array of structs by the first and the last one.
+given="--set p.q=2 --set steps=1 --set loaded=1 --set code=1 --set sign=1 --set big=1 --set table[0]=1"
+run 0 "$program" run "$model" $given --t-end 1e-9
+says scratch/out.txt '^Parameters that were not given, and are zero: spring\[0\] to spring\[1\], '
+run 0 "$program" run "$model" $given --set 'spring[0].stiffness=1' --t-end 1e-9
+says scratch/out.txt '^Parameters that were not given, and are zero: spring\[0\]\.rest, spring\[1\], '
+
+# A file as some editors write it, with a mark of UTF-8 before the first line.
+printf '\xEF\xBB\xBFx = 0.5\r\np.q = 2\r\n' >marked.txt
+run 0 "$program" info "$model" --start marked.txt
+says scratch/out.txt '^  q +double   = 2$'
