@@ -1,5 +1,6 @@
 /* The spectrum by eom_lyapunov on what tlgen generates for the pendulum. Built with -DLINKS=n. Tangents have a tolerance of their own,
- * as loose as exponents allow that are uncertain by percents: 1e-4, or what the environment's TANGENTS says. EXPONENTS=k in the
+ * as loose as exponents allow that are uncertain by percents: 1e-4, or what the environment's TANGENTS says. SERIES in the environment:
+ * the motion by Taylor series, where the model was printed for them. EXPONENTS=k in the
  * environment: the first k alone, or for 0 the motion alone; how they are computed, and how many evaluations that took, is told on
  * stderr. */
 #include "spectrum.h"
@@ -60,6 +61,7 @@ static int spectrum_run(double t_end, double tolerance, spectrum *result) {
   options.interval = 1.0;
   options.k = exponents ? atoi(exponents) : D;
   options.control = (eom_step_control){.rtol = tolerance, .atol = tolerance};
+  options.taylor = getenv("SERIES") != NULL;
   options.tangent_tolerance = tangents ? atof(tangents) : 1e-4;
   const int failed = (options.k > 0 ? exponents_run : motion_run)(sys, &options, y, t_end, result);
   eom_system_destroy(sys);

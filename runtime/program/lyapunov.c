@@ -82,7 +82,8 @@ static void read_command(command *c, int argc, char **argv) {
        .operand = "discrete|continuous|paper",
        .help = "\ndiscrete (default): tangent map and Householder QR; continuous:\nQ and rho as unknowns, Q re-orthonormalised; paper: "
                "eqs 75-80,\nQ never re-orthonormalised"},
-      method_name(&c->method, "one of the library's own: dop853 (default), dp5, rk4"),
+      method_name(&c->method,
+                  "one of the library's own: dop853 (default), dp5, rk4;\nor taylor for the motion, and dop853 for the tangents"),
       method_rtol(&c->rtol, "relative tolerance of the motion; default 1e-10"),
       method_atol(&c->atol, "absolute tolerance of the motion; default 1e-10"),
       {.name = "--tangents",
@@ -145,8 +146,13 @@ static wanted_files wanted(const command *c) {
   return (wanted_files){{{"--csv", c->csv}, {"--npz", c->npz}, {"--plot", c->plot}, {"--checkpoint", c->checkpoint}}};
 }
 
+/* The motion by Taylor series. */
+static bool by_series(const command *c) { return c->method != NULL && strcmp(c->method, "taylor") == 0; }
+
 static void check_command(command *c) {
-  if (c->method != NULL && eom_method_find(c->method) == NULL) usage_error("--method %s: choose one of dop853, dp5, rk4", c->method);
+  if (c->method != NULL && !by_series(c) && eom_method_find(c->method) == NULL)
+    usage_error("--method %s: choose one of dop853, dp5, rk4, taylor", c->method);
+  if (by_series(c) && c->step > 0.0) usage_error("--step: taylor chooses its steps itself; give --rtol and --atol");
   method_complete_tolerances(c->step, &c->rtol, &c->atol);
   if (c->resume && c->checkpoint == NULL) usage_error("--resume wants --checkpoint FILE");
   if (c->scheme == 2 && c->exponents != 0) usage_error("--exponents: the paper's scheme has all of them");
@@ -194,6 +200,7 @@ static eom_lyapunov_options options_of(const command *c) {
   o.scheme = schemes[c->scheme];
   o.k = c->exponents;
   o.method = c->method != NULL ? eom_method_find(c->method) : NULL;
+  o.taylor = by_series(c);
   o.interval = copysign(c->every / (double)c->marks, c->t_end - c->s.t0);
   o.h = c->step;
   if (c->step == 0.0) o.control.rtol = c->rtol, o.control.atol = c->atol, o.tangent_tolerance = c->tangents;
@@ -284,6 +291,10 @@ static int resume(const command *c, course *run) {
 static int start(const command *c, course *run) {
   const eom_lyapunov_options options = options_of(c);
   eom_status status = eom_lyapunov_create(&run->ly, c->s.sys, &options, c->s.t0, c->s.q);
+  if (status == EOM_BAD_OPTION && by_series(c) && !(c->s.sys->motion && c->s.sys->motion->taylor)) {
+    complain("--method taylor: the model has no motion functions of the need taylor at this size");
+    return -1;
+  }
   if (status == EOM_BAD_OPTION && c->exponents > 0) { /* the rest has been looked at */
     complain("--exponents %d: the constraints leave fewer", c->exponents);
     return -1;
@@ -311,7 +322,7 @@ static void print_run(const course *run) {
   const double *last = run->rows.rows + (run->rows.count - 1) * run->rows.width; /* of ly->t: see finish */
   eom_lyapunov_checks checks;
   printf("Lyapunov exponents from t = %g s to %.10g s, %s, by %s: %d of %d\n", ly->t0, ly->t, scheme_names[run->c->scheme],
-         ly->options.method->name, ly->k, ly->d);
+         ly->it.method->name, ly->k, ly->d);
   for (int i = 0; i < ly->k; i++) {
     tl_real mean, half;
     const int blocks = eom_lyapunov_interval(ly, i, &mean, &half);

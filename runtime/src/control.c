@@ -207,8 +207,7 @@ static eom_status attempt(eom_integrator *it, tl_real h, tl_real t1, int *good) 
 /* By the scheme, in the direction of the way. */
 static eom_status choose(eom_integrator *it, tl_real way) {
   const eom_status status = it->scheme->choose(it);
-  const tl_real most = size(way);
-  if (status == EOM_OK) it->h = TL_LIBM(copysign)(it->h < most ? it->h : most, way);
+  if (status == EOM_OK) it->h = TL_LIBM(copysign)(it->h, way);
   return status;
 }
 

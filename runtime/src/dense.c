@@ -108,14 +108,18 @@ tl_real eom_motion_defect(const eom_integrator *it, const tl_real *kept) {
   return worst;
 }
 
-void eom_kept_at(int rows, int dim, const tl_real *kept, tl_real x, tl_real *y) {
-  const tl_real rest = TL_C(1.0) - x;
+/* row_0 + even (row_1 + odd (row_2 + even (..))). */
+static void nest(int rows, int dim, const tl_real *kept, tl_real even, tl_real odd, tl_real *y) {
   memset(y, 0, (size_t)dim * sizeof(tl_real));
   for (int row = rows - 1; row >= 0; row--) {
-    const tl_real *own = kept + row * dim, factor = row % 2 ? rest : x;
+    const tl_real *own = kept + row * dim, factor = row % 2 ? odd : even;
     for (int i = 0; i < dim; i++) y[i] = own[i] + factor * y[i];
   }
 }
+
+void eom_kept_at(int rows, int dim, const tl_real *kept, tl_real x, tl_real *y) { nest(rows, dim, kept, x, TL_C(1.0) - x, y); }
+
+void eom_series_at(int rows, int dim, const tl_real *kept, tl_real x, tl_real *y) { nest(rows, dim, kept, x, x, y); }
 
 eom_status eom_interpolate(eom_integrator *it, tl_real t, tl_real *y) {
   if (!it->interpolates) return EOM_NOT_IN_STEP;

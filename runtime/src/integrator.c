@@ -33,12 +33,14 @@ void eom_integrator_init(eom_integrator *it, const eom_method *method, eom_rhs_f
   memcpy(it->y, y, (size_t)dim * sizeof(tl_real));
 }
 
-void eom_integrator_restart(eom_integrator *it) {
+void eom_restart_behind(eom_integrator *it, int same) {
   it->slope0 = SLOPE0_UNKNOWN;
-  eom_drop_carry(it);
+  memset(it->carry + same, 0, (it->stride - (size_t)same) * sizeof(tl_real));
   if (it->interpolates != INTERPOLATES_READY) it->interpolates = INTERPOLATES_NOT; /* f may be another one now */
   it->watched = 0;
 }
+
+void eom_integrator_restart(eom_integrator *it) { eom_restart_behind(it, 0); }
 
 eom_status eom_fixed_step(eom_integrator *it, tl_real h, tl_real t1) {
   if (it->scheme) return it->scheme->step(it, h, t1);

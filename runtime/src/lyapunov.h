@@ -6,12 +6,14 @@
 #define EOM_LYAPUNOV_PRIVATE_H
 
 #include "eom/lyapunov.h"
+#include "eom/taylor.h"
 #include "workspace.h"
 
 /* What a failure within an interval goes back to. */
 typedef struct eom_lyapunov_moment {
   eom_integrator it, tangents; /* but for their vectors */
   tl_real *z;                  /* y, then what tangents integrate */
+  tl_real *carry;              /* 2n: what rounding of y has lost, see eom_add_increment */
   tl_real *rho;                /* k */
   tl_real span;
   long qrs;
@@ -62,6 +64,7 @@ typedef struct eom_lyapunov_work {
   tl_real *tangents;        /* and of ly->tangents, where these have steps of their own */
   tl_real *rtol, *atol;     /* tolerances of each number */
   eom_lyapunov_path path;   /* likewise */
+  eom_taylor taylor;        /* where options.taylor */
   tl_real *y;               /* 2n: on the path */
   tl_real reach;            /* of the tangents' next step, in steps of the motion */
   long steps_per_mark;      /* where steps are fixed */
@@ -116,8 +119,8 @@ eom_status eom_lyapunov_take_mark(eom_lyapunov *ly);
 /* ly->divergence of the last mark, and the moment to go back to. */
 void eom_lyapunov_keep_mark(eom_lyapunov *ly);
 
-/* Integration goes on from z: y, then what tangents integrate. */
-void eom_lyapunov_put_state(eom_lyapunov *ly, const tl_real *z);
+/* Integration goes on from z and carry of the moment to go back to. */
+void eom_lyapunov_put_mark(eom_lyapunov *ly);
 
 /* Decides which rows are held (eom_hold) by the state at a mark alone, so that it does not matter how the run came there. y: 2n. Errors
  * of eom_project. */

@@ -1,6 +1,6 @@
 /* Checkpoints: the numbers of a run at a mark as bytes, and back.
  *
- *   8 bytes   "eomLyap1": what it is, and the version of what follows
+ *   8 bytes   "eomLyap2": what it is, and the version of what follows
  *   8         length of the whole, bytes
  *   8         hash of what must be the same at both ends: model, sizes, number type, options
  *   8         hash of the derivative and the energy at the state: parameters, and the bits that a program computes
@@ -15,7 +15,7 @@
 #include <stdint.h>
 #include <string.h>
 
-static const char magic[] = "eomLyap1";
+static const char magic[] = "eomLyap2";
 enum { WORD = 8, HEAD = 4 * WORD };
 
 /* Bytes of a number that say something: C's long double may be filled up. */
@@ -91,7 +91,8 @@ static uint64_t identity(const eom_lyapunov *ly) {
   stream s = {.mode = HASH, .hash = no_hash};
   const eom_system *sys = ly->sys;
   eom_lyapunov_options o = ly->options;
-  int sizes[] = {sys->n, sys->m1, sys->m2, ly->d, ly->k, (int)o.scheme, (int)o.product, TL_MANT_DIG, ly->it.controlled != NULL};
+  int sizes[] = {sys->n,       sys->m1, sys->m2, ly->d, ly->k, (int)o.scheme, (int)o.product, TL_MANT_DIG, ly->it.controlled != NULL,
+                 o.taylor != 0};
   for (size_t i = 0; i < sizeof sizes / sizeof *sizes; i++) pass_int(&s, &sizes[i]);
   pass_text(&s, sys->model->name);
   pass_text(&s, o.method->name);
@@ -137,6 +138,7 @@ static void exchange_rest(stream *s, eom_lyapunov *ly) {
   for (size_t i = 0; i < sizeof counts / sizeof *counts; i++) pass_long(s, counts[i]);
   exchange_integrator(s, &ly->it);
   exchange_integrator(s, &ly->tangents);
+  pass_reals(s, ly->work->mark.carry, 2 * (size_t)ly->sys->n);
   pass_int(s, &ly->nblock);
   if (ly->options.scheme == EOM_LYAPUNOV_DISCRETE) pass_reals(s, ly->rho, k);
   pass_reals(s, ly->block, k * EOM_LYAPUNOV_BLOCKS);
@@ -194,7 +196,7 @@ eom_status eom_lyapunov_restore(eom_lyapunov *ly, const void *image, size_t byte
   }
   exchange_rest(&s, ly);
   ly->t = ly->it.t = ly->it.t_before = ly->tangents.t = ly->tangents.t_before = t;
-  eom_lyapunov_put_state(ly, w->mark.z);
+  eom_lyapunov_put_mark(ly);
   w->t_qr = t;
   eom_lyapunov_keep_mark(ly);
   return EOM_OK;

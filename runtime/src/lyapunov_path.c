@@ -25,6 +25,10 @@ static const tl_real path_part = TL_C(0.1);
 static eom_status keep(eom_lyapunov *ly, long slot) {
   eom_lyapunov_path *path = &ly->work->path;
   tl_real *kept = path->kept + (size_t)slot * path->size;
+  if (ly->options.taylor) {
+    path->rows[slot] = eom_keep_series(&ly->it, path_part * ly->options.tangent_tolerance, kept);
+    return EOM_OK;
+  }
   if (ly->it.method->dense_stages > 0) {
     path->rows[slot] = EOM_MOTION_ROWS;
     eom_keep_motion(&ly->it, kept);
@@ -67,7 +71,7 @@ eom_status eom_lyapunov_path_at(eom_lyapunov *ly, tl_real t, tl_real *y) {
     const long slot = i % EOM_PATH_STEPS;
     const tl_real x = (t - path->begin[slot]) / (path->end[slot] - path->begin[slot]);
     if (!(x >= TL_C(0.0))) continue;
-    eom_kept_at(path->rows[slot], ly->it.dim, path->kept + (size_t)slot * path->size, x, y);
+    (ly->options.taylor ? eom_series_at : eom_kept_at)(path->rows[slot], ly->it.dim, path->kept + (size_t)slot * path->size, x, y);
     return EOM_OK;
   }
   return EOM_NOT_IN_STEP;

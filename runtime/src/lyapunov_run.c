@@ -3,6 +3,7 @@
 
 #include "eom/assemble.h"
 #include "eom/project.h"
+#include "step.h"
 
 #include <string.h>
 
@@ -35,7 +36,7 @@ static eom_status make_orthonormal(eom_lyapunov *ly) {
   status = eom_lyapunov_orthonormalise(ly, eom_lyapunov_X(ly));
   if (status != EOM_OK) return status;
   for (int i = 0; i < ly->k && ly->options.scheme == EOM_LYAPUNOV_DISCRETE; i++) ly->rho[i] += w->log_R[i];
-  eom_integrator_restart(it);
+  eom_restart_behind(it, w->together ? 2 * ly->sys->n : 0);
   ly->qrs++;
   plan_next_qr(ly);
   return EOM_OK;
@@ -165,9 +166,9 @@ eom_status eom_lyapunov_hold_rows(eom_lyapunov *ly, tl_real t, const tl_real *y)
   return eom_project(sys, ly->work->column, ly->work->column + n, t, NULL);
 }
 
-/* What integrators keep from their last step is not in a checkpoint. */
+/* What integrators keep from their last step is not in a checkpoint, but for what rounding of y has lost. */
 static void restart(eom_lyapunov *ly) {
-  eom_integrator_restart(&ly->it);
+  eom_restart_behind(&ly->it, 2 * ly->sys->n);
   if (!ly->work->together) eom_integrator_restart(&ly->tangents);
 }
 
@@ -198,15 +199,18 @@ void eom_lyapunov_keep_mark(eom_lyapunov *ly) {
   mark->tangents = ly->tangents;
   memcpy(mark->z, ly->it.y, d * sizeof(tl_real));
   memcpy(mark->z + d, eom_lyapunov_X(ly), ((size_t)ly->work->dim - d) * sizeof(tl_real));
+  memcpy(mark->carry, ly->it.carry, d * sizeof(tl_real));
   memcpy(mark->rho, ly->rho, (size_t)ly->k * sizeof(tl_real));
   mark->span = ly->work->span;
   mark->qrs = ly->qrs;
 }
 
-void eom_lyapunov_put_state(eom_lyapunov *ly, const tl_real *z) {
+void eom_lyapunov_put_mark(eom_lyapunov *ly) {
+  const tl_real *z = ly->work->mark.z;
   const size_t d = 2 * (size_t)ly->sys->n;
   memcpy(ly->it.y, z, d * sizeof(tl_real));
   memcpy(eom_lyapunov_X(ly), z + d, ((size_t)ly->work->dim - d) * sizeof(tl_real));
+  memcpy(ly->it.carry, ly->work->mark.carry, d * sizeof(tl_real));
   restart(ly);
 }
 
@@ -214,7 +218,7 @@ static void go_back(eom_lyapunov *ly) {
   const eom_lyapunov_moment *mark = &ly->work->mark;
   ly->it = mark->it;
   ly->tangents = mark->tangents;
-  eom_lyapunov_put_state(ly, mark->z);
+  eom_lyapunov_put_mark(ly);
   memcpy(ly->rho, mark->rho, (size_t)ly->k * sizeof(tl_real));
   ly->work->span = mark->span;
   ly->work->t_qr = ly->t;

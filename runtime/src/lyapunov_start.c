@@ -67,7 +67,7 @@ static eom_lyapunov_product choose_product(const eom_system *sys, const eom_lyap
 static bool options_are_valid(const eom_system *sys, const eom_lyapunov_options *o) {
   if (!scheme_is_valid(sys, o) || o->k < 0 || o->k > 2 * sys->n) return false;
   if (o->interval == TL_C(0.0) || !TL_ISFINITE(o->interval) || !is_bound(o->h)) return false;
-  if (o->h == TL_C(0.0) && !(o->tangent_tolerance > TL_C(0.0))) return false;
+  if (o->h == TL_C(0.0) ? !(o->tangent_tolerance > TL_C(0.0)) : o->taylor) return false;
   return stop_is_valid(o, 2 * sys->n);
 }
 
@@ -98,9 +98,10 @@ static bool pay_off(const eom_system *sys, const eom_lyapunov_options *o) {
   return evaluations < (tl_real)m->stages * cost_of(sys, o->product, k) * (TL_C(1.0) - steps);
 }
 
-/* y and tangents go together where steps are fixed, or it does not pay to part them; and where the rows that are held (eom_hold) are
- * those of the last step's end, at which tangents must then be. */
+/* Of Taylor series tangents have no part. Else y and tangents go together where steps are fixed, or it does not pay to part them; and
+ * where the rows that are held (eom_hold) are those of the last step's end, at which tangents must then be. */
 static bool go_together(const eom_system *sys, const eom_lyapunov_options *o) {
+  if (o->taylor) return false;
   return o->h > TL_C(0.0) || (sys->m > 0 && sys->options.hold.on) || !pay_off(sys, o);
 }
 
@@ -123,9 +124,9 @@ static void lay_out_rows(eom_lyapunov *ly, eom_lyapunov_work *w, eom_arena *a) {
   w->seen = eom_arena_reals(a, d);
 }
 
-/* Of a step that is kept, by either interpolation. */
-static int path_rows(const eom_method *m) {
-  const int rows = eom_kept_rows(m);
+/* Of a step that is kept, by any interpolation. */
+static int path_rows(const eom_lyapunov_options *o) {
+  const int rows = o->taylor ? EOM_SERIES_ROWS : eom_kept_rows(o->method);
   return rows > EOM_MOTION_ROWS ? rows : EOM_MOTION_ROWS;
 }
 
@@ -143,14 +144,15 @@ static void lay_out_tangents(eom_lyapunov *ly, eom_lyapunov_work *w, eom_arena *
   w->dlambda = eom_arena_reals(a, o->product == EOM_LYAPUNOV_BY_DIRECTIONS ? (size_t)sys->m * k : 0);
   w->together = go_together(sys, o);
   const int first = w->together ? w->dim : (int)d, second = w->dim - first;
-  w->integrator = eom_arena_reals(a, eom_integrator_size(o->method, first));
+  w->integrator = eom_arena_reals(a, o->taylor ? eom_taylor_size(sys) : eom_integrator_size(o->method, first));
   w->tangents = eom_arena_reals(a, second > 0 ? eom_integrator_size(o->method, second) : 0);
-  w->path.size = second > 0 ? (size_t)path_rows(o->method) * d : 0;
+  w->path.size = second > 0 ? (size_t)path_rows(o) * d : 0;
   w->path.kept = eom_arena_reals(a, w->path.size * EOM_PATH_STEPS);
   w->y = eom_arena_reals(a, d);
   w->rtol = eom_arena_reals(a, chosen ? dim : 0);
   w->atol = eom_arena_reals(a, chosen ? dim : 0);
   w->mark.z = eom_arena_reals(a, dim);
+  w->mark.carry = eom_arena_reals(a, d);
   w->mark.rho = eom_arena_reals(a, k);
   w->scratch = eom_arena_reals(a, dim);
   ly->block = eom_arena_reals(a, k * EOM_LYAPUNOV_BLOCKS);
@@ -245,6 +247,16 @@ static void divide_interval(eom_lyapunov *ly) {
   o->h = o->interval / (tl_real)ly->work->steps_per_mark;
 }
 
+/* The integrator of y, or of all. */
+static eom_status start_motion(eom_lyapunov *ly, tl_real t, const tl_real *z) {
+  eom_lyapunov_work *w = ly->work;
+  const eom_lyapunov_options *o = &ly->options;
+  const int d = 2 * ly->sys->n;
+  if (o->taylor) return eom_taylor_init(&w->taylor, &ly->it, ly->sys, t, z, o->h, w->integrator);
+  eom_integrator_init(&ly->it, o->method, w->together ? both : motion, ly, w->together ? w->dim : d, t, z, o->h, w->integrator);
+  return EOM_OK;
+}
+
 /* z: y, then what tangents integrate. */
 static eom_status start_integration(eom_lyapunov *ly, tl_real t, const tl_real *z) {
   eom_lyapunov_work *w = ly->work;
@@ -252,7 +264,8 @@ static eom_status start_integration(eom_lyapunov *ly, tl_real t, const tl_real *
   const bool chosen = o->h == TL_C(0.0);
   const int d = 2 * ly->sys->n;
   if (!chosen) divide_interval(ly);
-  eom_integrator_init(&ly->it, o->method, w->together ? both : motion, ly, w->together ? w->dim : d, t, z, o->h, w->integrator);
+  const eom_status status = start_motion(ly, t, z);
+  if (status != EOM_OK) return status;
   if (!w->together) eom_integrator_init(&ly->tangents, o->method, tangents, ly, w->dim - d, t, z + d, o->h, w->tangents);
   if (ly->sys->m > 0) ly->it.correct = project_state;
   ly->y = ly->it.y;

@@ -3,6 +3,7 @@
 #define EOM_STEP_H
 
 #include "eom/integrate.h"
+#include "eom/motion.h"
 #include "taylor/kernel.h"
 
 #include <string.h>
@@ -84,6 +85,9 @@ eom_status eom_take_step(eom_integrator *it, tl_real t1, int end_known);
 /* y is no longer what the steps so far have summed up. */
 void eom_drop_carry(eom_integrator *it);
 
+/* As eom_integrator_restart, where the first same numbers of y are still those of the last step. */
+void eom_restart_behind(eom_integrator *it, int same);
+
 /* y + increment, and what rounding it loses (D. Knuth's TwoSum). */
 static inline tl_real eom_sum_up(tl_real y, tl_real increment, tl_real *lost) {
   const tl_real sum = y + increment, part = sum - y;
@@ -134,6 +138,13 @@ tl_real eom_motion_defect(const eom_integrator *it, const tl_real *kept);
 
 /* The state in a kept step, as eom_interpolate; x: the part of the step that has passed, 0..1. y: dim. */
 void eom_kept_at(int rows, int dim, const tl_real *kept, tl_real x, tl_real *y);
+
+/* The last step of Taylor series (eom_taylor_init), for eom_series_at: row j holds what x^j has as its factors. Only as many rows, as
+ * it returns, that those left out add at most that part of 1 + |y_i| to y. */
+enum { EOM_SERIES_ROWS = EOM_TAYLOR_MOST };
+int eom_keep_series(const eom_integrator *it, tl_real part, tl_real *kept);
+
+void eom_series_at(int rows, int dim, const tl_real *kept, tl_real x, tl_real *y);
 
 /* Handles the events of the step that was taken; it->t is then the end of the step, or the time of the event that cut it short. STOPPED
  * where one stops; errors of eom_integrator_at and of the user's functions (RHS_FAILED, NOT_FINITE). */

@@ -139,6 +139,29 @@ static eom_status interpolate(eom_integrator *it, tl_real x, tl_real *y) {
   return EOM_OK;
 }
 
+/* ---- steps that are kept ---- */
+
+int eom_keep_series(const eom_integrator *it, tl_real part, tl_real *kept) {
+  const eom_taylor *v = it->own;
+  const int n = v->sys->n, dim = it->dim;
+  const tl_real h = it->t_after - it->t_before;
+  tl_real power = TL_C(1.0), left_out = TL_C(0.0);
+  int rows = v->order;
+  for (int row = 0; row < rows; row++, power *= h)
+    for (int i = 0; i < n; i++) {
+      const tl_real *c = v->coef + (size_t)i * (size_t)(v->order + 1);
+      kept[row * dim + i] = power * c[row];
+      kept[row * dim + n + i] = power * ((tl_real)(row + 1) * c[row + 1]);
+    }
+  for (; rows > 1; rows--) {
+    tl_real most = TL_C(0.0);
+    for (int i = 0; i < dim; i++) most = larger(most, size(kept[(rows - 1) * dim + i]) / (TL_C(1.0) + size(kept[i])));
+    left_out += most;
+    if (!(left_out <= part)) break;
+  }
+  return rows;
+}
+
 /* ---- start ---- */
 
 static const eom_scheme scheme = {.step = step, .interpolate = interpolate, .choose = choose, .attempt = attempt};

@@ -26,6 +26,12 @@ if "$program" run --help | grep -q '^  taylor '; then # a method that this model
   run 1 "$program" run "$models/pendulum.so" --set n=1 --set g=9.81 --set mass=1 --set length=1 --method taylor --csv none.csv
   says scratch/err.txt 'taylor cannot follow this model like that; it is: .*need taylor'
   [ -e none.csv ] && fail "rows of a motion that never began"
+  run 1 "$program" lyapunov "$models/pendulum.so" --set n=1 --set g=9.81 --set mass=1 --set length=1 --method taylor
+  says scratch/err.txt '--method taylor: the model has no motion functions of the need taylor'
+  run 0 "$program" lyapunov "$models/spring_pendulum.so" --set mass=1 --set rest=1 --set stiffness=40 --set gravity=9.81 --q 1,1 --t-end 20 \
+    --method taylor --rtol 1e-15 --atol 1e-15
+  says scratch/out.txt 'discrete, by taylor: 4 of 4'
+  says scratch/out.txt 'largest .E - E0. +[0-9.]+e-1[3-9] J'
 fi
 
 # Events: y passes zero at pi rising down, at 2 pi up.

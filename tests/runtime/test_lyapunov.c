@@ -176,6 +176,30 @@ static void tangents_in_steps_of_their_own(void **state) {
 }
 
 /* Tangents so inexact that their steps would pass all steps of the motion that are kept: they are tried again, shorter. */
+/* What the motion has lost by rounding is not lost at marks. */
+static void marks_leave_the_motion_alone(void **state) {
+  (void)state;
+  const pendulum p = {2, 9.81};
+  const double tolerance = 1e-13, y[4] = {1.3089969389957472};
+  static double work[EOM_INTEGRATOR_SIZE(12, 3, 4)]; /* of eom_dop853 */
+  eom_lyapunov_options options = eom_lyapunov_options_default();
+  eom_system *sys = pendulum_system(&p);
+  eom_lyapunov *ly;
+  eom_integrator it;
+  options.interval = 0.25;
+  options.tangent_tolerance = 1e-3;
+  options.control = (eom_step_control){.rtol = tolerance, .atol = tolerance};
+  eom_integrator_init(&it, &eom_dop853, eom_rhs, sys, 4, 0, y, 0, work);
+  assert_int_equal(eom_integrator_control(&it, &options.control), EOM_OK);
+  for (int mark = 1; mark <= 20; mark++) assert_int_equal(eom_integrate(&it, mark * options.interval, NULL, NULL), EOM_OK);
+  assert_int_equal(eom_lyapunov_create(&ly, sys, &options, 0, y), EOM_OK);
+  run(ly, 5);
+  assert_true(ly->tangents.steps > 0 && ly->it.steps == it.steps);
+  assert_memory_equal(ly->y, it.y, sizeof y);
+  eom_lyapunov_destroy(ly);
+  eom_system_destroy(sys);
+}
+
 static void path_is_long_enough(void **state) {
   (void)state;
   const pendulum p = {4, 9.81};
@@ -689,6 +713,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {cmocka_unit_test(finite_times),
                                      cmocka_unit_test(by_chosen_steps),
                                      cmocka_unit_test(tangents_in_steps_of_their_own),
+                                     cmocka_unit_test(marks_leave_the_motion_alone),
                                      cmocka_unit_test(path_is_long_enough),
                                      cmocka_unit_test(little_is_wasted),
                                      cmocka_unit_test(damped_oscillator),

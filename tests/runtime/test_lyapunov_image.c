@@ -144,7 +144,7 @@ static void damaged_images_are_refused(void **state) {
   const eom_lyapunov_options options = options_of(EOM_LYAPUNOV_DISCRETE, 0);
   example e = one_second(&p, &options);
   unsigned char *image = e.image;
-  assert_memory_equal(image, "eomLyap1", 8);
+  assert_memory_equal(image, "eomLyap2", 8);
   for (size_t i = 0; i < e.bytes; i += 1 + i / 64) {
     image[i] ^= (unsigned char)(1 << i % 8);
     refuse(e.ly, image, e.bytes, EOM_BAD_CHECKPOINT);

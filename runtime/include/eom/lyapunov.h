@@ -36,6 +36,7 @@ typedef struct eom_lyapunov_options {
   eom_lyapunov_product product;
   int k;                     /* the first k exponents, 0: all d */
   const eom_method *method;  /* null: eom_dop853 */
+  int taylor;                /* 1: the motion by Taylor series, where eom_taylor_init takes sys; method is that of the tangents alone */
   tl_real interval;          /* s, from mark to mark; negative: backwards in time */
   tl_real h;                 /* s: fixed steps, of at most this length, that divide the interval; 0: steps are chosen by */
   eom_step_control control;  /* what y, 2n numbers, may be wrong by, */

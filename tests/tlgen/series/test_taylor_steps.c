@@ -11,6 +11,7 @@
 #endif
 
 #include <math.h>
+#include <stdlib.h>
 
 static double work[4096];
 
@@ -183,6 +184,70 @@ static void refused(void **state) {
   }
 }
 
+/* ---- Lyapunov exponents along it ---- */
+
+static eom_lyapunov *exponent_of(eom_system *sys, eom_lyapunov_options *options) {
+  eom_lyapunov *ly;
+  double y[2];
+  known(-2.0, y);
+  const double slope[2] = {y[1], -sin(y[0])};
+  options->k = 1;
+  options->taylor = 1;
+  options->control = (eom_step_control){.rtol = 1e-14, .atol = 1e-14};
+  options->start = slope;
+  assert_int_equal(eom_lyapunov_create(&ly, sys, options, -2.0, y), EOM_OK);
+  return ly;
+}
+
+/* y' is a tangent of the motion: it grows by |y'(t)|/|y'(t0)| with y' = (2/cosh t, -2 sinh t/cosh^2 t). Measured: at most 0.1 tolerances.
+ */
+static void exponents(void **state) {
+  (void)state;
+  for (double tolerance = 1e-3; tolerance > 1e-12; tolerance *= 0.1) {
+    eom_system *sys = system_of(&swing_model, NULL);
+    eom_lyapunov_options options = eom_lyapunov_options_default();
+    options.interval = 0.5;
+    options.tangent_tolerance = tolerance;
+    eom_lyapunov *ly = exponent_of(sys, &options);
+    assert_int_equal(eom_lyapunov_to(ly, 2.5, NULL, NULL), EOM_OK);
+    const double growth = log(hypot(1.0, tanh(2.5)) / cosh(2.5)) - log(hypot(1.0, tanh(2.0)) / cosh(2.0));
+    print_message("tolerance %.0e: error %.1e, %ld steps beside %ld\n", tolerance, ly->rho[0] - growth, ly->tangents.steps, ly->it.steps);
+    assert_close(ly->rho[0], growth, 0.0, 10.0 * tolerance);
+    assert_close(error(2.5, ly->y), 0.0, 0.0, 1e-12);
+    assert_true(ly->energy_error < 1e-14);
+    eom_lyapunov_destroy(ly);
+    eom_system_destroy(sys);
+  }
+}
+
+/* Between marks nothing is kept that a checkpoint has not. */
+static void exponents_go_on(void **state) {
+  (void)state;
+  eom_system *sys = system_of(&swing_model, NULL);
+  eom_lyapunov_options options = eom_lyapunov_options_default();
+  options.interval = 0.3;
+  eom_lyapunov *whole = exponent_of(sys, &options), *other = exponent_of(sys, &options);
+  const size_t bytes = eom_lyapunov_image_bytes(whole);
+  char *image = malloc(3 * bytes);
+  assert_non_null(image);
+  assert_int_equal(eom_lyapunov_to(whole, 0.0, NULL, NULL), EOM_OK);
+  eom_lyapunov_save(whole, image);
+  assert_int_equal(eom_lyapunov_to(whole, 3.0, NULL, NULL), EOM_OK);
+  assert_int_equal(eom_lyapunov_restore(other, image, bytes), EOM_OK);
+  assert_int_equal(eom_lyapunov_to(other, 3.0, NULL, NULL), EOM_OK);
+  eom_lyapunov_save(whole, image + bytes);
+  eom_lyapunov_save(other, image + 2 * bytes);
+  assert_memory_equal(image + bytes, image + 2 * bytes, bytes);
+  free(image);
+  eom_lyapunov_destroy(other);
+  eom_lyapunov_destroy(whole);
+  options.start = NULL;
+  options.h = 0.1;
+  const double y[2] = {0.0, 2.0};
+  assert_int_equal(eom_lyapunov_create(&other, sys, &options, 0.0, y), EOM_BAD_OPTION);
+  eom_system_destroy(sys);
+}
+
 #ifdef HAVE_TRAJECTORY
 static void by_name(void **state) {
   (void)state;
@@ -204,6 +269,7 @@ int main(void) {
       cmocka_unit_test(tolerances),       cmocka_unit_test(inside_steps), cmocka_unit_test(fixed_steps),
       cmocka_unit_test(there_and_back),   cmocka_unit_test(events),       cmocka_unit_test(constrained),
       cmocka_unit_test(to_a_singularity), cmocka_unit_test(refused),
+      cmocka_unit_test(exponents),        cmocka_unit_test(exponents_go_on),
 #ifdef HAVE_TRAJECTORY
       cmocka_unit_test(by_name),
 #endif
