@@ -3,6 +3,7 @@
 
 #include "checkpoint.h"
 #include "command.h"
+#include "eom/assemble.h"
 #include "eom/trajectory.h"
 #include "files.h"
 #include "host/gnuplot.h"
@@ -24,6 +25,9 @@ enum { OWN_OPTIONS = 18 };
 static const char *const scheme_names[] = {"discrete", "continuous", "paper", NULL};
 static const eom_lyapunov_scheme schemes[] = {EOM_LYAPUNOV_DISCRETE, EOM_LYAPUNOV_CONTINUOUS, EOM_LYAPUNOV_PAPER};
 static const double most_rows = 1e8;
+
+/* A row's part of the power below this, in parts of what it is the sum of, is none. */
+static const double no_power = 1e-9;
 
 /* A run can be stopped and saved at a mark only: so many steps may lie between two, and rows are every c->marks of them. */
 enum { MOST_STEPS = 1000 };
@@ -317,6 +321,22 @@ static void print_check(const char *name, double value, const char *unit) {
     printf("  %-44s %9.1e %s\n", name, value, unit);
 }
 
+/* Whether the nonholonomic rows take part in the power at the start and now: lambda' A qd, where psi = 0 is not A qd = 0. */
+static bool constraints_work(const course *run) {
+  eom_system *sys = run->c->s.sys;
+  const int n = sys->n;
+  for (int now = 0; now < 2; now++) {
+    const double *y = now ? run->ly->y : run->c->s.q, t = now ? run->ly->t : run->ly->t0;
+    if (eom_assemble(sys, y, y + n, t) != EOM_OK) return true;
+    for (int r = sys->m1; r < sys->m; r++) {
+      double sum = 0.0, size = 0.0;
+      for (int i = 0; i < n; i++) sum += sys->A[r * n + i] * y[n + i], size += fabs(sys->A[r * n + i] * y[n + i]);
+      if (!(fabs(sum) <= no_power * size)) return true;
+    }
+  }
+  return false;
+}
+
 static void print_run(const course *run) {
   const eom_lyapunov *ly = run->ly;
   const double *last = run->rows.rows + (run->rows.count - 1) * run->rows.width; /* of ly->t: see finish */
@@ -336,9 +356,9 @@ static void print_run(const course *run) {
   print_check("|Q'Q - I|", checks.orthogonality, "");
   if (setup_driven(&run->c->s)) return; /* time alone moves it: no exponent need be zero */
   print_check("least |lambda_i|", checks.zero[0], "1/s");
-  if (model_has_forces(&run->c->s.model)) return; /* for these the rest is not zero */
+  if (model_has_forces(&run->c->s.model) || constraints_work(run)) return; /* for these the rest is not zero */
   print_check("second least |lambda_i|", checks.zero[1], "1/s");
-  print_check("largest |lambda_i + its partner|", checks.pairing_error, "1/s");
+  if (run->c->s.sys->m2 == 0) print_check("largest |lambda_i + its partner|", checks.pairing_error, "1/s"); /* of Hamilton's equations */
   print_check("largest |E - E0|", checks.energy_error, "J");
 }
 

@@ -134,7 +134,7 @@ typedef struct eom_lyapunov_checks {
   tl_real divergence;    /* mean divergence of the motion, 1/s; 0 where it is not known */
   tl_real sum_error;     /* their difference, rounding and the tangents' error; -1 unless k = d and by the Jacobian */
   tl_real pairing_error; /* max |lambda_i + lambda_(d+1-i)| of the sorted spectrum, 1/s, which falls to zero with time where energy is
-                            conserved; -1 unless k = d */
+                            conserved and no constraint is nonholonomic; -1 unless k = d */
   tl_real zero[2];       /* the least two |lambda_i|, 1/s: the first tends to zero in any motion that does not come to rest and whose
                             equations do not contain t, both where energy is conserved too; -1 unless k = d */
   tl_real energy_error;  /* the largest |E - E0| at a mark, J */
