@@ -358,7 +358,8 @@ static void print_run(const course *run) {
   print_check("least |lambda_i|", checks.zero[0], "1/s");
   if (model_has_forces(&run->c->s.model) || constraints_work(run)) return; /* for these the rest is not zero */
   print_check("second least |lambda_i|", checks.zero[1], "1/s");
-  if (run->c->s.sys->m2 == 0) print_check("largest |lambda_i + its partner|", checks.pairing_error, "1/s"); /* of Hamilton's equations */
+  if (run->c->s.sys->m2 == 0)
+    print_check("largest |lambda_i + its partner|", checks.pairing_error, "1/s"); /* of Hamilton's equations */
   print_check("largest |E - E0|", checks.energy_error, "J");
 }
 

@@ -180,6 +180,7 @@ void motion_follow(motion *m) {
   eom_trajectory *trajectory = NULL;
   m->projects = options.project;
   options.outputs = &outputs;
+  m->met.watched.apart = m->ask.every;
   options.events = m->met.watched.count > 0 ? &m->met.watched : NULL;
   progress_start(&line);
   m->line = m->ask.quiet ? NULL : &line;

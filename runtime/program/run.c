@@ -38,7 +38,8 @@ static void read_command(command *c, int argc, char **argv) {
        .kind = OPTION_TEXTS,
        .value = &c->events,
        .operand = "FORMULA [rising|falling] [stop]",
-       .help = "\nfind when a formula passes zero: --event 'q[0] rising';\nmay be repeated"},
+       .help = "\nfind when a formula passes zero: --event 'q[0] rising';\nlooked at as often as rows are, or at steps' ends "
+               "by\nSUNDIALS' methods; may be repeated"},
       {.name = "--sensitivity",
        .kind = OPTION_TEXT,
        .value = &c->sensitivity,

@@ -8,7 +8,7 @@
 
 static const tl_real usual_tolerance = TL_C(4.0); /* units of the last place of t */
 static const tl_real aside = TL_C(16.0);          /* see next_sign */
-enum { USUAL_PARTS = 4 };
+enum { USUAL_PARTS = 4, MOST_PARTS = 1 << 20 };
 
 /* The parts of work: g at the start and at the end of a part, g where it is tried, times of roots, and the events that cut the step. */
 enum { FROM, TO, TRIED, ROOT, FIRED, KINDS };
@@ -170,10 +170,18 @@ static eom_status watch_part(eom_integrator *it, tl_real a, tl_real b, eom_event
   return status;
 }
 
+/* As many as asked for, and so many that none is longer than it may be. */
+static int parts_of(const eom_events *ev, tl_real h) {
+  const int parts = ev->parts > 0 ? ev->parts : USUAL_PARTS;
+  if (!(size(h) > ev->apart * (tl_real)parts) || ev->apart == TL_C(0.0)) return parts;
+  const tl_real wanted = size(h) / ev->apart;
+  return wanted < (tl_real)MOST_PARTS ? (int)wanted + 1 : MOST_PARTS;
+}
+
 eom_status eom_watch_step(eom_integrator *it) {
   eom_events *ev = it->events;
-  assert(ev->count > 0 && ev->root && ev->work && ev->tolerance >= TL_C(0.0));
-  const int parts = ev->parts > 0 ? ev->parts : USUAL_PARTS;
+  assert(ev->count > 0 && ev->root && ev->work && ev->tolerance >= TL_C(0.0) && ev->apart >= TL_C(0.0));
+  const int parts = parts_of(ev, it->t_after - it->t_before);
   const tl_real start = it->t_before, end = it->t_after;
   eom_event_action action = EOM_EVENT_GO_ON;
   eom_status status = it->watched && ev->known && ev->known_t == start ? EOM_OK : begin(it);

@@ -192,6 +192,23 @@ static void several_in_a_step(void **state) {
   }
 }
 
+/* Parts of a length, in steps of any: sin(pi (t + 1/4)) is zero at 3/4, 7/4, .. */
+static void parts_of_a_length(void **state) {
+  (void)state;
+  for (int steps = 1; steps <= 16; steps *= 4)
+    for (int way = -1; way <= 1; way += 2) {
+      const double y[2] = {0, 0};
+      run r;
+      start(&r, &eom_dop853, drift, 0, y, 1e-6, 1, wave);
+      r.it.h = way * 16.0 / steps;
+      r.it.control.h_max = 16.0 / steps;
+      r.events.apart = 0.9;
+      assert_int_equal(eom_integrate(&r.it, way * 16, NULL, NULL), EOM_OK);
+      assert_int_equal(r.seen, 16);
+      for (int i = 0; i < r.seen; i++) assert_close(r.t[i], way > 0 ? 0.75 + i : -0.25 - i, 0, 1e-13);
+    }
+}
+
 /* Random sums of sines, as found by a scan of the closed form; handlers that let go on or begin anew at random. */
 enum { SINES = 4 };
 typedef struct sines {
@@ -467,13 +484,21 @@ static void output_across_events(void **state) {
 }
 
 int main(void) {
-  const struct CMUnitTest tests[] = {cmocka_unit_test(every_zero_in_order),   cmocka_unit_test(times_to_the_tolerance),
-                                     cmocka_unit_test(soon_after_the_start),  cmocka_unit_test(directions),
-                                     cmocka_unit_test(several_in_a_step),     cmocka_unit_test(random_functions),
-                                     cmocka_unit_test(stops_and_goes_on),     cmocka_unit_test(no_second_event_from_rounding),
-                                     cmocka_unit_test(bouncing_ball),         cmocka_unit_test(simultaneous_events),
-                                     cmocka_unit_test(failures_of_roots),     cmocka_unit_test(output_at_given_times),
-                                     cmocka_unit_test(output_from_a_list),    cmocka_unit_test(output_across_events),
+  const struct CMUnitTest tests[] = {cmocka_unit_test(every_zero_in_order),
+                                     cmocka_unit_test(times_to_the_tolerance),
+                                     cmocka_unit_test(soon_after_the_start),
+                                     cmocka_unit_test(directions),
+                                     cmocka_unit_test(several_in_a_step),
+                                     cmocka_unit_test(parts_of_a_length),
+                                     cmocka_unit_test(random_functions),
+                                     cmocka_unit_test(stops_and_goes_on),
+                                     cmocka_unit_test(no_second_event_from_rounding),
+                                     cmocka_unit_test(bouncing_ball),
+                                     cmocka_unit_test(simultaneous_events),
+                                     cmocka_unit_test(failures_of_roots),
+                                     cmocka_unit_test(output_at_given_times),
+                                     cmocka_unit_test(output_from_a_list),
+                                     cmocka_unit_test(output_across_events),
                                      cmocka_unit_test(state_set_from_outside)};
   return cmocka_run_group_tests_name("events", tests, NULL, NULL);
 }

@@ -36,6 +36,7 @@ typedef struct eom_events {
   const int *direction; /* count: 1 for events where g_i rises as t grows, -1 where it falls, 0 for both; null: both for all */
   tl_real tolerance;    /* of an event's time, s; 0: some units of its last place */
   int parts;       /* of a step; 0: 4. With 1 only ends of steps are looked at, and nothing is interpolated until there is an event */
+  tl_real apart;   /* s: no part is longer, however long steps are; 0: any length */
   tl_real *work;   /* eom_events_size(count) numbers */
   long found;      /* filled: events until now, */
   int last;        /* and the last one's number */

@@ -36,9 +36,9 @@ typedef struct eom_trajectory_options {
                   for the library's own methods alone; SUNDIALS' want atol > 0 where a component may be zero (BAD_OPTION then) */
   tl_real h;   /* s: the length of each step, or the first to be tried; 0: chosen */
   int project; /* 1: after each step, and at the start, the state is brought onto the constraints (eom/project.h) */
-  eom_events *events;   /* null: none. With SUNDIALS' methods tolerance and parts are SUNDIALS' own; ARKODE interpolates to order 5 at
-                           most, so that events and outputs inside its long steps are less exact than its steps */
-  eom_outputs *outputs; /* null: none */
+  eom_events *events; /* null: none. With SUNDIALS' methods tolerance, parts and apart are SUNDIALS' own; ARKODE interpolates to order 5
+                         at most, so that events and outputs inside its long steps are less exact than its steps */
+  eom_outputs *outputs;         /* null: none */
   eom_sensitivity *sensitivity; /* of the same system; null: none. Then the state is z = (y, S) of eom/sensitivity.h in the place of y
                                    everywhere, tolerances too, by Runge-Kutta methods and SUNDIALS'. cvode_bdf follows S by CVODES'
                                    staggered corrector, does not project it, has S in the error or, with control.tested = 2n, not, and
