@@ -145,9 +145,9 @@ private:
     std::string declared;
     if (content_ != Content::Motion) declared += "extern const eom_model " + model_.name + "_model;\n";
     if (content_ == Content::Whole) declared += "extern const eom_description " + model_.name + "_description;\n";
-    return title(".") + "#ifndef " + guard + "\n#define " + guard + "\n\n#include \"eom/" + includes + "\"\n" +
-           (lanes ? "#include \"taylor/lanes.h\"\n\n" : "\n") + headerRecords() + "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n" +
-           declared + motion_.header + "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
+    return title(".") + "#ifndef " + guard + "\n#define " + guard + "\n\n" + includesOf(program_.records) + "#include \"eom/" +
+           includes + "\"\n" + (lanes ? "#include \"taylor/lanes.h\"\n\n" : "\n") + headerRecords() +
+           "#ifdef __cplusplus\nextern \"C\" {\n#endif\n\n" + declared + motion_.header + "\n#ifdef __cplusplus\n}\n#endif\n\n#endif\n";
   }
 
   // Functions from elsewhere. Of stdlib.h only those that are called, since its other names may be the user's.

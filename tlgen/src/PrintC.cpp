@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>
+#include <cstring>
 #include <map>
+#include <set>
 
 namespace tlgen {
 
@@ -102,11 +104,40 @@ std::string declaration(const Type *type, const std::string &name) {
   }
 }
 
+// Keywords of C that C++ has under the names of a standard header's macros.
+struct SharedName {
+  const char *keyword, *name, *header;
+};
+static const SharedName sharedNames[] = {{"_Bool", "bool", "stdbool.h"}, {"_Alignas", "alignas", "stdalign.h"}};
+
+static const SharedName *sharedName(const Type *type) {
+  while (type->kind == Type::Array || type->kind == Type::Pointer) type = type->element;
+  for (const SharedName &shared : sharedNames)
+    if (type->kind == Type::Integer && type->name.compare(0, strlen(shared.keyword), shared.keyword) == 0) return &shared;
+  return nullptr;
+}
+
+std::string includesOf(const std::vector<const Record *> &records) {
+  std::set<std::string> headers;
+  for (const Record *record : records)
+    for (const Field &field : record->fields)
+      if (const SharedName *shared = sharedName(field.type)) headers.insert(shared->header);
+  std::string s;
+  for (const std::string &header : headers) s += "#include <" + header + ">\n";
+  return s;
+}
+
+static std::string memberDeclaration(const Field &field) {
+  std::string s = declaration(field.type, field.name);
+  if (const SharedName *shared = sharedName(field.type)) s.replace(s.find(shared->keyword), strlen(shared->keyword), shared->name);
+  return s;
+}
+
 std::string definition(const Record *record) {
   if (record->fields.empty()) return record->spelling + ";\n";
   bool anonymous = record->tag.empty();
   std::string s = anonymous ? "typedef struct {\n" : "struct " + record->tag + " {\n";
-  for (const Field &field : record->fields) s += "  " + declaration(field.type, field.name) + ";\n";
+  for (const Field &field : record->fields) s += "  " + memberDeclaration(field) + ";\n";
   return s + (anonymous ? "} " + record->spelling : "}") + ";\n";
 }
 

@@ -61,6 +61,9 @@ std::string declaration(const Type *type, const std::string &name);
 // A struct's definition, members on lines of their own.
 std::string definition(const Record *record);
 
+// The standard headers that definitions need, as lines: members of types that C++ spells otherwise have names that both know.
+std::string includesOf(const std::vector<const Record *> &records);
+
 // A literal or initialiser list without active values.
 std::string initializer(const Expr *e);
 

@@ -2,6 +2,7 @@
 #ifndef ARM_TL_H
 #define ARM_TL_H
 
+#include <stdbool.h>
 #include "eom/description.h"
 
 #ifndef TLGEN_STRUCT_link
@@ -18,7 +19,7 @@ struct arm {
   struct link link[2];
   struct link tool;
   int stages;
-  _Bool loaded;
+  bool loaded;
   unsigned short code;
   tl_real table[2][3];
   const char *label;
