@@ -229,17 +229,16 @@ static bool factor_near_rows(eom_system *sys, int count) {
   return factor_safely(sys->workspace->linalg, count, f->U, f->v);
 }
 
-/* The step, in sys->qdd. */
-static void find_near_step(eom_system *sys, const level *l) {
+/* The step for the misses of these rows in workspace->miss, in sys->qdd. */
+static void find_near_step(eom_system *sys, int count) {
   const eom_workspace *ws = sys->workspace;
   const eom_linalg *la = ws->linalg;
   const eom_factor *f = &ws->factor;
   const int n = sys->n;
-  l->misses(sys, ws->miss);
-  la->solve_lower(l->count, f->U, 1, ws->miss);
-  la->solve_lower_transposed(l->count, f->U, 1, ws->miss);
+  la->solve_lower(count, f->U, 1, ws->miss);
+  la->solve_lower_transposed(count, f->U, 1, ws->miss);
   memset(sys->qdd, 0, (size_t)n * sizeof(tl_real));
-  for (int r = 0; r < l->count; r++)
+  for (int r = 0; r < count; r++)
     for (int i = 0; i < n; i++) sys->qdd[i] -= f->B[r * n + i] * ws->miss[r];
   la->solve_lower_transposed(n, f->L, 1, sys->qdd);
 }
@@ -250,7 +249,8 @@ static bool descend_near(eom_system *sys, level *l, const tl_real *q, const tl_r
   tl_real last = TL_MAX;
   for (int step = 0;; step++) {
     if (step > 0 && eom_assemble_parts(sys, q, qd, t) != EOM_OK) return false;
-    find_near_step(sys, l);
+    l->misses(sys, sys->workspace->miss);
+    find_near_step(sys, l->count);
     const tl_real change = extent(sys, sys->qdd), size = TL_LIBM(fmax)(extent(sys, l->x), change);
     if (change <= rounding * size) return true;
     if (!(change <= near * size)) return false;
@@ -322,4 +322,43 @@ int eom_project_state(void *user, tl_real t, tl_real *y) {
   eom_system *sys = user;
   eom_projection p = {.after_step = 1};
   return (int)eom_project(sys, y, y + sys->n, t, &p);
+}
+
+/* ---- changes of a state ---- */
+
+/* Solves with the first count rows, of which at most rank are independent (-1: not known): the shortest sys->qdd with A qdd = -miss. */
+static eom_status find_change(eom_system *sys, int count, int rank) {
+  const eom_workspace *ws = sys->workspace;
+  const eom_selection rows = {NULL, count, rank >= 0 ? rank : count, sys->options.rank_tolerance};
+  const int m = sys->m;
+  if (eom_factor_make(sys, &rows) != EOM_OK) return sys->report.status;
+  for (int r = 0; r < count; r++) ws->miss[r] = -ws->miss[r];
+  memset(sys->Qc, 0, (size_t)sys->n * sizeof(tl_real));
+  sys->m = count;
+  eom_kkt_solve(sys, sys->qdd, sys->lambda, sys->Qc, ws->miss);
+  sys->m = m;
+  return EOM_OK;
+}
+
+/* x + the shortest change with A (x + change) = 0 in the first count rows. plain: factor_near_mass was good. */
+static eom_status turn(eom_system *sys, tl_real *x, int count, int rank, bool plain) {
+  const eom_workspace *ws = sys->workspace;
+  if (count == 0) return EOM_OK;
+  eom_multiply(count, sys->n, 1, ws->miss, sys->A, x);
+  if (plain && factor_near_rows(sys, count))
+    find_near_step(sys, count);
+  else if (find_change(sys, count, rank) != EOM_OK)
+    return sys->report.status;
+  for (int i = 0; i < sys->n; i++) x[i] += sys->qdd[i];
+  return eom_check_finite(sys, "change of a state", x, sys->n);
+}
+
+eom_status eom_project_change(eom_system *sys, tl_real *dq, tl_real *dqd, const tl_real *q, const tl_real *qd, tl_real t) {
+  assert(sys && dq && dqd && q && qd);
+  const eom_held *held = &sys->workspace->held;
+  if (eom_start(sys, q, qd, t) != EOM_OK || sys->m == 0) return sys->report.status;
+  if (eom_assemble_parts(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  const bool plain = !sys->options.hold.on && sys->m <= sys->n && factor_near_mass(sys);
+  if (turn(sys, dq, sys->m1, held->rank_q, plain) != EOM_OK) return sys->report.status;
+  return turn(sys, dqd, sys->m, held->rank, plain);
 }

@@ -86,6 +86,38 @@ static void steps_are_brought_back_by_one_factorisation(void **state) {
   assert_true(by_one >= 7); /* three have a mass matrix that is singular */
 }
 
+/* What is left of a change is allowed by the rows, what was taken stands across all that is allowed. */
+static void changes_lose_what_the_rows_forbid(void **state) {
+  (void)state;
+  rng r = {4};
+  for (int i = 0; i < nconstrained_models; i++) {
+    eom_system *sys = start(constrained_models[i], NULL);
+    const int n = sys->n;
+    for (int k = 0; k < TRIES; k++) {
+      double q[MOST], qd[MOST], d[2][MOST], was[2][MOST], scale = 0;
+      const double t = rng_uniform(&r, 0, 1);
+      draw(&r, n, q, qd), draw(&r, n, d[0], d[1]);
+      if (eom_project(sys, q, qd, t, NULL) == EOM_NO_INERTIA) continue;
+      memcpy(was, d, sizeof d);
+      assert_int_equal(eom_project_change(sys, d[0], d[1], q, qd, t), EOM_OK);
+      assert_int_equal(eom_assemble(sys, q, qd, t), EOM_OK);
+      for (int j = 0; j < n * n; j++) scale = fmax(scale, fabs(sys->M[j]));
+      for (int half = 0; half < 2; half++) {
+        double across = 0;
+        for (int c = 0; c < (half ? sys->m : sys->m1); c++) {
+          double miss = 0;
+          for (int j = 0; j < n; j++) miss += sys->A[c * n + j] * d[half][j];
+          assert_close(miss, 0, 0, 1e-12);
+        }
+        for (int j = 0; j < n; j++)
+          for (int l = 0; l < n; l++) across += d[half][j] * sys->M[j * n + l] * (d[half][l] - was[half][l]);
+        assert_close(across, 0, 0, 1e-11 * fmax(scale, 1));
+      }
+    }
+    eom_system_destroy(sys);
+  }
+}
+
 /* The nearest point of the circle and the velocity along it, in closed form. */
 static void a_point_goes_to_the_nearest_place(void **state) {
   (void)state;
@@ -268,6 +300,7 @@ int main(void) {
   const struct CMUnitTest tests[] = {
       cmocka_unit_test(every_model_is_made_consistent),
       cmocka_unit_test(steps_are_brought_back_by_one_factorisation),
+      cmocka_unit_test(changes_lose_what_the_rows_forbid),
       cmocka_unit_test(a_point_goes_to_the_nearest_place),
       cmocka_unit_test(the_change_is_the_least),
       cmocka_unit_test(what_is_kept_stays),

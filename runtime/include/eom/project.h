@@ -34,6 +34,11 @@ eom_status eom_project(eom_system *sys, tl_real *q, tl_real *qd, tl_real t, eom_
 /* The same for y = (q,qd): 2n, after_step, as what an eom_integrator does; user is the eom_system. Returns an eom_status. */
 int eom_project_state(void *user, tl_real t, tl_real *y);
 
+/* What the rows allow of a change of a state, such as an error estimate: dq with A dq = 0 in the holonomic rows and dqd with A dqd = 0
+ * in all of them, the nearest in the mass metric. dq, dqd: n, changed in place. Leaves the fields of assemble and of solve unspecified.
+ * NO_INERTIA, NOT_FINITE (report.function: "change of a state"); errors of eom_assemble. */
+eom_status eom_project_change(eom_system *sys, tl_real *dq, tl_real *dqd, const tl_real *q, const tl_real *qd, tl_real t);
+
 #ifdef __cplusplus
 }
 #endif
