@@ -91,3 +91,14 @@ for shape, values in arrays.values():
 EOF
 run 0 "$program" run "$models/cartesian_pendulum.so" --start chain.txt --t-end 2 --every 0.02 --csv again.csv --npz again.npz
 cmp run.csv again.csv && cmp run.npz again.npz || fail "the same run gives other bytes"
+
+# The names of many curves stand beside them, not on them.
+run 0 "$program" run "$models/pendulum.so" --set n=12 --set g=9.81 --set mass=1 --set length=1 --q "$(printf "0.1 %.0s" {1..12})" --t-end 0.5 --plot many.svg
+"$python" - <<'EOF' || fail "names stand on the curves"
+import re
+texts = re.findall(r'translate\(([0-9.]+),[0-9.]+\)"[^>]*>\s*<text>(?:<tspan[^>]*>)?\s*([^<]*)', open("many.svg").read())
+end = max(float(x) for x, text in texts if text == "0.5")
+names = [(float(x), text) for x, text in texts if re.fullmatch(r"qd?\[\d+\]", text)]
+assert len(names) == 24, texts
+assert all(x - 7 * len(text) > end for x, text in names), (end, names) # to the right they end at x
+EOF
