@@ -101,25 +101,31 @@ typedef struct film {
 static const double *trail(const film *f, long step, int line) { return f->trail + 2 * (step * f->what->lines + line); }
 static const double *point(const film *f, long frame, int line, int i) { return f->xy + 2 * (frame * f->all + f->first[line] + i); }
 
-/* A box around all points, at least a little wide and high, and the picture that shows it with equal scales. */
-static int take_in(film *f, const double *xy, long count) {
+static void take_in(film *f, const double *xy, long count) {
   for (long i = 0; i < count; i++) {
     const double x = xy[2 * i], y = xy[2 * i + 1];
-    if (!isfinite(x) || !isfinite(y)) return complain("a point of the picture is not a number on the way"), -1;
     f->left = fmin(f->left, x), f->right = fmax(f->right, x), f->bottom = fmin(f->bottom, y), f->top = fmax(f->top, y);
   }
-  return 0;
 }
 
-static int frame_box(film *f) {
+/* A box around all points, at least a little wide and high, and the picture that shows it with equal scales. */
+static void frame_box(film *f) {
   f->left = f->bottom = HUGE_VAL, f->right = f->top = -HUGE_VAL;
-  if (take_in(f, f->xy, f->frames * f->all) != 0 || take_in(f, f->trail, f->steps * f->what->lines) != 0) return -1;
+  take_in(f, f->xy, f->frames * f->all);
+  take_in(f, f->trail, f->steps * f->what->lines);
   const double most = fmax(fmax(f->right - f->left, f->top - f->bottom), 1e-9), least = 0.2 * most;
   if (f->right - f->left < least) f->left -= least / 2, f->right += least / 2;
   if (f->top - f->bottom < least) f->bottom -= least / 2, f->top += least / 2;
   f->scale = (f->c->size - 2.0 * margin) / fmax(f->right - f->left, f->top - f->bottom);
   f->width = (int)lround(f->scale * (f->right - f->left)) + (int)(2.0 * margin);
   f->height = (int)lround(f->scale * (f->top - f->bottom)) + (int)(2.0 * margin);
+}
+
+/* Says so where a point of line i is not a number. */
+static int check_points(const film *f, int i, double t, const double *xy) {
+  for (int k = 0; k < f->points[i]; k++)
+    if (!isfinite(xy[2 * k]) || !isfinite(xy[2 * k + 1]))
+      return complain("point %d of line %d (both counted from 1) is not a number at t = %g s", k + 1, i + 1, t), -1;
   return 0;
 }
 
@@ -142,10 +148,11 @@ static int shoot(film *f, const motion *m) {
       const double *row = r->rows + k * r->width;
       if (drawing_points(&f->what->line[i], s, row[0], row + 1, xy) != f->points[i])
         return complain("a line has not as many points at t = %g s as at the start", row[0]), -1;
+      if (check_points(f, i, row[0], xy) != 0) return -1;
       memcpy(f->trail + 2 * (k * lines + i), xy + 2 * (f->points[i] - 1), 2 * sizeof *xy);
       if (k % FINER == 0) memcpy(f->xy + 2 * (k / FINER * f->all + f->first[i]), xy, 2 * (size_t)f->points[i] * sizeof *xy);
     }
-  return frame_box(f);
+  return frame_box(f), 0;
 }
 
 /* ---- SVG ---- */

@@ -40,3 +40,9 @@ assert data[:6] == b"GIF89a" and data.count(b"\x21\xf9\x04") == 41 # graphic con
 EOF
 run 0 "$program" watch "$models/kepler.so" --q 1,0 --qd 0,1 --t-end 1 --svg k.svg
 says scratch/err.txt 'no line says what to draw .*: q\[1\] over q\[0\] is drawn'
+
+# A line that ends on the way.
+run 1 "$program" watch "$models/kepler.so" --q 1,0 --qd 0,1 --t-end 3 --line '0,0; q[0],q[1]' --line '0,0; log(1-t),0' --svg none.svg
+says scratch/err.txt '^eom: point 2 of line 2 \(both counted from 1\) is not a number at t = 1'
+[ -e none.svg ] && fail "a picture that has no end"
+exit 0
