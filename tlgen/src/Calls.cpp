@@ -3,7 +3,6 @@
 
 #include "clang/AST/ASTContext.h"
 #include "clang/AST/Attr.h"
-#include "clang/AST/RecursiveASTVisitor.h"
 
 #include <algorithm>
 
@@ -12,23 +11,45 @@ namespace {
 
 namespace c = clang;
 
-// The variables that a function assigns or whose address it takes, and how many it has of each name.
-class Changes : public c::RecursiveASTVisitor<Changes> {
+// The variables that a function assigns or whose address it takes, and how many it has of each name. By hand: what Clang's
+// RecursiveASTVisitor brings along takes compilers longer than the rest of this file.
+class Changes {
 public:
   Changes(std::set<const c::VarDecl *> &changed, std::map<std::string, int> &names) : changed_(changed), names_(names) {}
 
-  bool VisitVarDecl(c::VarDecl *v) { return ++names_[v->getNameAsString()], true; }
+  void declare(const c::VarDecl *v) {
+    ++names_[v->getNameAsString()];
+    walkLengths(v->getType());
+  }
 
-  bool VisitBinaryOperator(c::BinaryOperator *op) { return op->isAssignmentOp() ? note(op->getLHS()) : true; }
-  bool VisitUnaryOperator(c::UnaryOperator *op) {
-    return op->isIncrementDecrementOp() || op->getOpcode() == c::UO_AddrOf ? note(op->getSubExpr()) : true;
+  void walk(const c::Stmt *s) {
+    if (const auto *declaration = llvm::dyn_cast<c::DeclStmt>(s))
+      for (const c::Decl *d : declaration->decls())
+        if (const auto *v = llvm::dyn_cast<c::VarDecl>(d)) declare(v);
+    if (const auto *op = llvm::dyn_cast<c::BinaryOperator>(s))
+      if (op->isAssignmentOp()) note(op->getLHS());
+    if (const auto *op = llvm::dyn_cast<c::UnaryOperator>(s))
+      if (op->isIncrementDecrementOp() || op->getOpcode() == c::UO_AddrOf) note(op->getSubExpr());
+    if (const auto *cast = llvm::dyn_cast<c::ExplicitCastExpr>(s)) walkLengths(cast->getTypeAsWritten());
+    if (const auto *size = llvm::dyn_cast<c::UnaryExprOrTypeTraitExpr>(s)) walkLengths(size->getTypeOfArgument());
+    for (const c::Stmt *part : s->children())
+      if (part) walk(part);
   }
 
 private:
-  bool note(const c::Expr *e) {
+  // What a type computes: the lengths of arrays.
+  void walkLengths(c::QualType type) {
+    while (type->isPointerType() || type->getAsArrayTypeUnsafe()) {
+      const c::ArrayType *array = type->getAsArrayTypeUnsafe();
+      const auto *variable = llvm::dyn_cast_or_null<c::VariableArrayType>(array);
+      if (variable && variable->getSizeExpr()) walk(variable->getSizeExpr());
+      type = array ? array->getElementType() : type->getPointeeType();
+    }
+  }
+
+  void note(const c::Expr *e) {
     if (const auto *ref = llvm::dyn_cast<c::DeclRefExpr>(e->IgnoreParens()))
       if (const auto *v = llvm::dyn_cast<c::VarDecl>(ref->getDecl())) changed_.insert(v);
-    return true;
   }
 
   std::set<const c::VarDecl *> &changed_;
@@ -167,8 +188,8 @@ std::string instanceName(const Instance &instance) {
 
 Calls::Calls(const Source &source, const Match &match, const Instance &caller) : source_(source), match_(match), caller_(caller) {
   Changes changes(changed_, names_);
-  for (c::ParmVarDecl *param : caller.function->parameters()) changes.VisitVarDecl(param);
-  if (caller.function->hasBody()) changes.TraverseStmt(caller.function->getBody());
+  for (c::ParmVarDecl *param : caller.function->parameters()) changes.declare(param);
+  if (caller.function->hasBody()) changes.walk(caller.function->getBody());
 }
 
 bool Calls::isNull(const c::Expr *e, const c::ASTContext &context) {
