@@ -166,8 +166,9 @@ private:
     for (ArgRole role : {ArgRole::Q, ArgRole::Qd}) {
       long count = std::count_if(m.args.begin(), m.args.end(), [&](const Arg &a) { return a.role == role && a.index >= 0; });
       if (count > 0 && !(match_.dof.member.empty() && match_.dof.value == count))
-        fault("bad-dof", m.function,
-              "'" + m.function->getNameAsString() + "' takes " + std::to_string(count) +
+        fault("scalar-count", m.function,
+              "'" + m.function->getNameAsString() + "' takes " + std::to_string(count) + " of " +
+                  (match_.dof.member.empty() ? std::to_string(match_.dof.value) : match_.dof.member) +
                   (role == ArgRole::Q ? " coordinates" : " velocities"));
     }
   }
