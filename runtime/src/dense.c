@@ -110,10 +110,17 @@ tl_real eom_motion_defect(const eom_integrator *it, const tl_real *kept) {
 
 /* row_0 + even (row_1 + odd (row_2 + even (..))). */
 static void nest(int rows, int dim, const tl_real *kept, tl_real even, tl_real odd, tl_real *y) {
-  memset(y, 0, (size_t)dim * sizeof(tl_real));
-  for (int row = rows - 1; row >= 0; row--) {
-    const tl_real *own = kept + row * dim, factor = row % 2 ? odd : even;
-    for (int i = 0; i < dim; i++) y[i] = own[i] + factor * y[i];
+  const tl_real factor[2] = {even, odd};
+  int i = 0;
+  for (; i + EOM_LANE <= dim; i += EOM_LANE) {
+    eom_lane sum = EOM_AT_CONST(kept + (rows - 1) * dim + i);
+    for (int row = rows - 2; row >= 0; row--) sum = EOM_AT_CONST(kept + row * dim + i) + factor[row % 2] * sum;
+    EOM_AT(y + i) = sum;
+  }
+  for (; i < dim; i++) {
+    tl_real sum = kept[(rows - 1) * dim + i];
+    for (int row = rows - 2; row >= 0; row--) sum = kept[row * dim + i] + factor[row % 2] * sum;
+    y[i] = sum;
   }
 }
 

@@ -87,17 +87,21 @@ static void clear(eom_report *r) {
   r->nrow = 0;
 }
 
-eom_status eom_start(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+eom_status eom_start_sized(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
   assert(sys && sys->workspace && q && qd);
   clear(&sys->report);
-  if (!eom_sizes_hold(sys)) {
-    sys->report.function = sys->model->name;
-    return sys->report.status = EOM_SIZES_CHANGED;
-  }
   if (qd == q + sys->n && t - t == TL_C(0.0) && eom_all_finite(q, 2 * sys->n)) return EOM_OK; /* as integrators have them: one look */
   if (eom_check_finite(sys, "argument q", q, sys->n) != EOM_OK) return sys->report.status;
   if (eom_check_finite(sys, "argument qd", qd, sys->n) != EOM_OK) return sys->report.status;
   return eom_check_finite(sys, "argument t", &t, 1);
+}
+
+eom_status eom_start(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
+  assert(sys && sys->workspace);
+  if (eom_sizes_hold(sys)) return eom_start_sized(sys, q, qd, t);
+  clear(&sys->report);
+  sys->report.function = sys->model->name;
+  return sys->report.status = EOM_SIZES_CHANGED;
 }
 
 eom_status eom_start_needing(eom_system *sys, unsigned need, const tl_real *q, const tl_real *qd, tl_real t) {

@@ -16,7 +16,10 @@ bool eom_sizes_hold(const eom_system *sys);
 /* Clears the report and checks that the model has the system's sizes, and that the arguments are finite. */
 eom_status eom_start(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t);
 
-/* The same for what the system must have been asked for: BAD_OPTION without that bit of options.needs. */
+/* The same but for the sizes, which the motion function that is called next looks at itself (EOM_MOTION_SIZE). */
+eom_status eom_start_sized(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t);
+
+/* As eom_start for what the system must have been asked for: BAD_OPTION without that bit of options.needs. */
 eom_status eom_start_needing(eom_system *sys, unsigned need, const tl_real *q, const tl_real *qd, tl_real t);
 
 /* The largest |x_i - was_i| of n, and in *most whose; 0 and -1 where nothing changed. */

@@ -130,10 +130,12 @@ static eom_status constrained_by_motion(eom_system *sys, const tl_real *q, const
 }
 
 eom_status eom_acceleration(eom_system *sys, const tl_real *q, const tl_real *qd, tl_real t) {
-  if (eom_start(sys, q, qd, t) != EOM_OK) return sys->report.status;
-  if (!eom_by_motion(sys, EOM_TASK_ASSEMBLE)) return eom_solve_at(sys, q, qd, t);
-  if (sys->motion->constrained && all_rows_as_they_are(sys)) return constrained_by_motion(sys, q, qd, t);
-  if (!sys->motion->acceleration) return eom_solve_at(sys, q, qd, t);
+  const bool by_motion = eom_by_motion(sys, EOM_TASK_ASSEMBLE);
+  const bool constrained = by_motion && sys->motion->constrained && all_rows_as_they_are(sys);
+  if (!constrained && !(by_motion && sys->motion->acceleration))
+    return eom_start(sys, q, qd, t) == EOM_OK ? eom_solve_at(sys, q, qd, t) : sys->report.status;
+  if (eom_start_sized(sys, q, qd, t) != EOM_OK) return sys->report.status;
+  if (constrained) return constrained_by_motion(sys, q, qd, t);
   const int code = sys->motion->acceleration(sys->params, q, qd, t, sys->qdd, sys->workspace->motion_work);
   return code == EOM_MOTION_PIVOT ? eom_solve_at(sys, q, qd, t) : eom_solved_by_motion(sys, code, q, qd, t);
 }
