@@ -179,7 +179,7 @@ static const char *z_name(const setup *s, const linear *l, int i) {
 /* Without what is rounding beside `size`: a machine's last bits are not for reading. */
 static double clean(double x, double size) { return fabs(x) <= rounding * size ? 0.0 : x; }
 
-static void print_state(const setup *s, const linear *l) {
+static void print_state(const setup *s, const linear *l, bool driven) {
   double most = 0.0, scale = 1.0;
   printf("State at t = %.10g s\n", s->t0);
   for (int i = 0; i < s->n; i++) {
@@ -188,7 +188,10 @@ static void print_state(const setup *s, const linear *l) {
     most = fmax(most, fabs(l->qdd[i]));
     scale = fmax(scale, 1.0 + fmax(fabs(s->q[i]), fabs(s->qd[i])));
   }
-  if (most > no_acceleration * scale) printf("It is no equilibrium: the modes are those of the instant (--equilibrium finds one).\n");
+  if (most > no_acceleration * scale)
+    printf("It is no equilibrium: the modes are those of the instant (--equilibrium finds one).\n");
+  else if (driven)
+    printf("Time moves this model: nothing accelerates at this instant, and the modes are those of the instant.\n");
 }
 
 static void print_matrix(const setup *s, const linear *l) {
@@ -282,12 +285,13 @@ static int write_all(const command *c, const linear *l) {
 static int linearise(command *c) {
   linear l;
   if (setup_consistent(&c->s) != 0 || ((c->equilibrium || c->steady) && find_state(c) != 0)) return EXIT_FAILED;
+  const bool driven = setup_driven(&c->s);
   const eom_status status = compute(&c->s, &l);
   int result = EXIT_FAILED;
   if (status != EOM_OK) {
     complain_status(c->s.sys, status, "the linear model");
   } else {
-    print_state(&c->s, &l);
+    print_state(&c->s, &l, driven);
     print_matrix(&c->s, &l);
     print_modes(&c->s, &l);
     result = write_all(c, &l) == 0 ? EXIT_DONE : EXIT_FAILED;

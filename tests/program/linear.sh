@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# linear.sh PROGRAM MODELS PYTHON: eom linearise against closed forms: the double pendulum of unit masses and rods, hanging, in angles and,
+# linear.sh PROGRAM MODELS PYTHON DRIVEN: eom linearise against closed forms: the double pendulum of unit masses and rods, hanging, in angles and,
 # with constraints, in x and y: s = +- i sqrt(g (2 +- sqrt 2)).
 . "$(dirname "$0")/../examples/expect.sh"
-here=$(cd "$(dirname "$0")" && pwd) program=$1 models=$2 python=$3
+here=$(cd "$(dirname "$0")" && pwd) program=$1 models=$2 python=$3 driven=$4
 unit="--set g=9.81 --set mass=1 --set length=1"
 frequencies() { # of modes.csv, against the closed form
   "$python" - "$@" <<'EOF' || fail "the modes of modes.csv are not those of the double pendulum"
@@ -41,3 +41,11 @@ says scratch/err.txt 'no equilibrium'
 says scratch/err.txt '^eom: nothing near this state holds q\[0\]$'
 run 1 "$program" linearise "$models/kepler.so" --q 1,0 --qd 0,1.5 --equilibrium
 says scratch/err.txt '^eom: nothing near this state holds q\[[01]\] at the velocities given, which --equilibrium leaves as they are \(qd\[1\] = 1\.5\)'
+
+# An equilibrium that time moves on from: q'' = -(g - 10 sin(5 t)) sin q, at t = 0.1 s.
+run 0 "$program" linearise "$driven" --q 0.1 --t0 0.1 --equilibrium --csv F.csv
+says scratch/out.txt '^Time moves this model: .* the modes are those of the instant\.$'
+tail -n 1 F.csv | awk -F, '{ d = $1 + 9.81 - 10 * sin(0.5); exit !(d < 1e-12 && d > -1e-12) }' || fail "not -(g - 10 sin 0.5): $(tail -n 1 F.csv)"
+run 0 "$program" linearise "$models/pendulum.so" --set n=2 $unit
+grep -q 'Time moves' scratch/out.txt && fail "time moves a pendulum whose Lagrangian has none"
+exit 0
