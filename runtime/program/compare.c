@@ -240,8 +240,8 @@ static int find_reference(comparison *k) {
     if (ended == EOM_OK)
       k->judges[found++] = r.method->name;
     else if (status == EOM_OK) {
-      const bool model = ended == EOM_RHS_FAILED && k->plain->report.status != EOM_OK;
-      status = model ? k->plain->report.status : ended;
+      const bool reported = ended == EOM_RHS_FAILED && k->plain->report.status != EOM_OK;
+      status = reported ? k->plain->report.status : ended;
       snprintf(what, sizeof what, "no reference: no method reaches the end at its tolerance; %s fails at t = %.10g s", judges[j],
                r.reached);
     }
