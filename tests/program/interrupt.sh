@@ -2,9 +2,9 @@
 # interrupt.sh PROGRAM OPTION..: Ctrl-C, or the end of its terminal, during a long run keeps the whole rows there are, says so and exits with status 130.
 . "$(dirname "$0")/../examples/expect.sh"
 set -m # or the shell starts background programs with Ctrl-C ignored
-for signal in INT HUP; do
+for signal in INT HUP; do # env: where the tests themselves run under nohup
   rm -f run.csv run.npz
-  timeout -s KILL 100 "$@" --csv run.csv --npz run.npz >scratch/out.txt 2>scratch/err.txt </dev/null &
+  env --default-signal=HUP timeout -s KILL 100 "$@" --csv run.csv --npz run.npz >scratch/out.txt 2>scratch/err.txt </dev/null &
   id=$!
   sleep 1
   [ -e run.csv ] && fail "the file is there before the run has ended"
