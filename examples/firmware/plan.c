@@ -4,11 +4,12 @@
  * The motion is one of least cost from hanging to standing, by differential dynamic programming with the model's exact linearisation
  * (iLQR: Li and Todorov 2004): pushes that hold for 40 ms each, a cost of the push that rises steeply beyond the limit below, of the
  * cart's way, and of what is left at the end. The matrices X that follow are the cost of being beside that motion, backwards from the
- * regulator's at its end by Riccati's recursion in control steps. All is sums, products and the sine of mathematics.h: the same bits on
- * every host. */
+ * regulator's at its end by Riccati's recursion in control steps. All is sums, products and libtaylor's sine: the same bits on every
+ * host. */
 #include "controller.h"
 #include "matrix.h"
 #include "reference.h"
+#include "taylor/sincos_number.h"
 
 #include <stdio.h>
 #include <string.h>
@@ -164,7 +165,7 @@ static double improved(double cost, double damping) {
 /* From a push to and fro, which has led to the cheapest of the motions found from several. There are many optima: a model that differs
  * in its last bits may lead to another. */
 static double plan_new(void) {
-  for (int k = 0; k < K; k++) now.push[k] = 3.0 * sin(2 * 3.14159265358979323846 * 0.8 * (double)k * H);
+  for (int k = 0; k < K; k++) now.push[k] = 3.0 * tl_sincos_number(2 * 3.14159265358979323846 * 0.8 * (double)k * H).sine;
   now.y[0][1] = now.y[0][2] = 3.14159265358979323846;
   const double cost = follow(0.0);
   take();

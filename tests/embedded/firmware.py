@@ -18,7 +18,7 @@ UPRIGHT, CENTRED = 0.03, 0.1  # rad, m: at the end; what sensors resolve moves t
 # Of the largest number of a kind: an optimum known to some parts in 1e9 of its cost is known to the root of that in its place.
 MOST_TABLE = 3e-3
 PLANNED_REST, PLANNED_PUSH = 0.1, 15  # m, rad, m/s, rad/s; N
-FAULTS = {"without mass": 2, "angle without sine": 1, "no number": 1}  # minus their status
+FAULTS = {"without mass": 2, "infinite angle": 1, "no number": 1}  # minus their status
 FAULT_STEPS = 20
 MOST_FLOAT = 2  # roundings times condition
 

@@ -3,7 +3,6 @@
 #   firmware_host.sh SOURCE-FOLDER FOLDER WHAT [POLES]      FOLDER: as firmware_build.sh has left it. WHAT:
 #     starts POLES       from several starts, with a machine that is not quite the expected one, the poles come to stand
 #     plan               the motion in flash is the optimum that plan.c computes beside it, and plan.c finds a motion from nothing, too
-#     mathematics        its sine and cosine against the C library's
 #     plot               plot.gp draws its CSV
 set -euo pipefail
 root=$1 built=$2 what=$3 poles=${4:-1}
@@ -12,7 +11,7 @@ source=$root/examples/firmware
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 fail() { echo "$*"; exit 1; }
-flags=(-std=c11 -O2 -ffp-contract=off -Wall -Wextra -Werror "-DTL_MATH_HEADER=\"mathematics.h\"" -I"$source")
+flags=(-std=c11 -O2 -fno-math-errno -ffp-contract=off -DTL_SOFT_NUMBERS=0 -Wall -Wextra -Werror -I"$source")
 
 case $what in
   starts)
@@ -31,10 +30,6 @@ case $what in
     ! python3 "$root/tests/embedded/firmware.py" planned "$work/wrong.c" >/dev/null 2>&1 || fail "a motion from elsewhere goes unseen"
     sed '8s/[1-9]\.[1-9]/9.9/' "$source/reference_table.c" >"$work/wrong.c"
     ! python3 "$root/tests/embedded/firmware.py" table "$work/wrong.c" "$source/reference_table.c" >/dev/null 2>&1 || fail "a wrong table goes unseen"
-    ;;
-  mathematics)
-    cc "${flags[@]}" "$root/tests/embedded/mathematics.c" -lm -o "$work/mathematics"
-    "$work/mathematics"
     ;;
   plot)
     command -v gnuplot >/dev/null || { echo "no gnuplot here"; exit 77; }

@@ -3,7 +3,7 @@
 
     footprint.py [--boards m4f,m3] [--keep FOLDER] [--paint]
 
-Compiles with arm-none-eabi-gcc -O2, links each need by itself with the startup of board/, and runs it under qemu-system-arm, whose
+Compiles with arm-none-eabi-gcc -O2 -fno-math-errno, links each need by itself with the startup of board/, and runs it under qemu-system-arm, whose
 instruction counts repeat exactly. The stack is the deepest chain of calls, with the frames that gcc reports and, for the C library,
 those that its instructions make. Fails where code allocates, calls itself, has a frame of unknown size, calls what nobody knows, or, in
 an export of floats on a processor without doubles, computes in double. With cppcheck it also writes MISRA: each rule of MISRA-C:2012 that is not kept, how often, and
@@ -209,7 +209,7 @@ def sources():
 
 def compile_all(board, folder):
     flags = BOARDS[board][0].split()
-    common = [CC, *flags, "-std=c11", "-O2", "-DNDEBUG", "-DEXAMPLE_WITHOUT_MAIN", "-ffunction-sections", "-fdata-sections",
+    common = [CC, *flags, "-std=c11", "-O2", "-fno-math-errno", "-DNDEBUG", "-DEXAMPLE_WITHOUT_MAIN", "-ffunction-sections", "-fdata-sections",
               "-fstack-usage", "-fcallgraph-info=su", "-Wdouble-promotion", "-Wfloat-conversion", "-Wvla", "-Werror", "-I.", "-Iinclude"]
     for source in sources():
         made = run(common + ["-c", str(source.relative_to(HERE)), "-o", str(folder / (source.stem + ".o"))], cwd=HERE)
@@ -302,7 +302,7 @@ def main():
         manifest.write([f"not measured: no {CC} here"])
         return
     version = run([CC, "--version"]).stdout.splitlines()[0]
-    lines = [version + ", -O2; bytes, with the example's memory and the C library's part; instructions of one call",
+    lines = [version + ", -O2 -fno-math-errno; bytes, with the example's memory and the C library's part; instructions of one call",
              "board need         flash    RAM  stack instructions status   deepest calls"]
     with tempfile.TemporaryDirectory() as temporary:
         for board in boards:

@@ -209,7 +209,8 @@ std::string cmakeFor(const std::string &name) {
          "_tl.c ${sources})\n"
          "target_include_directories(" +
          name + "_model PUBLIC . include)\ntarget_link_libraries(" + name +
-         "_model PUBLIC m)\n"
+         "_model PUBLIC m)\nif(CMAKE_C_COMPILER_ID MATCHES \"GNU|Clang\")\n  target_compile_options(" + name +
+         "_model PRIVATE -fno-math-errno) # a square root is then one instruction where the processor has it\nendif()\n"
          "add_executable(" +
          name + "_example main.c)\ntarget_compile_definitions(" + name +
          "_example PRIVATE EXAMPLE_PRINT)\n"
@@ -253,6 +254,7 @@ ExportFiles exportFiles(const Program &program, const Model &model, const Motion
     return why = "the memory of the model depends on its parameters; --size says what they are", ExportFiles{};
   if (!program.rules.empty())
     return why = "the function '" + program.rules.begin()->first + "' has no C here, which an export would need", ExportFiles{};
+  if (model.name == "example") return why = "the example program has this name too; --model gives the model another", ExportFiles{};
   const Example example(model, motion, text, content);
   const std::string source = model.name + "_tl.c", header = model.name + "_tl.h";
   ExportFiles files = {{"main.c", example.text()},
@@ -267,7 +269,7 @@ ExportFiles exportFiles(const Program &program, const Model &model, const Motion
   std::string needs, list;
   for (const std::string &need : example.needs()) needs += " " + need;
   for (const auto &[path, content_of] : files) list += "  " + hashOf(content_of) + " " + path + "\n";
-  const std::string compile = "cc -std=c11 -O2 -DNDEBUG -DEXAMPLE_PRINT -I. -Iinclude *.c src/*.c -lm -o example";
+  const std::string compile = "cc -std=c11 -O2 -fno-math-errno -DNDEBUG -DEXAMPLE_PRINT -I. -Iinclude *.c src/*.c -lm -o example";
   files.push_back({manifestName, manifestTitle + "\"" + model.name + "\"\nnumbers: " + (real == "float" ? "float" : "double") +
                                      "\nneeds:" + needs + "\ncompile: " + compile + "\n\nfiles\n" + list +
                                      "\nfootprint\n  not measured yet: python3 footprint.py does, and writes it here\n"});

@@ -42,9 +42,12 @@
 #define TL_SINGLE_NUMBERS 0
 #endif
 
-/* 1 where arithmetic on numbers is functions of the compiler's: the processor has no instructions for it. */
+/* 1 where arithmetic on numbers is functions of the compiler's: the processor has no instructions for it, and libtaylor takes integers
+ * where they are faster. With 0 its results are to the bit those of a processor that has them. */
 #ifndef TL_SOFT_NUMBERS
-#if defined(__arm__) && !(__ARM_FP & 4 && TL_REAL == TL_FLOAT) && !(__ARM_FP & 8)
+#if defined(__arm__) && !defined(__ARM_FP)
+#define TL_SOFT_NUMBERS 1
+#elif defined(__arm__) && !(__ARM_FP & 4 && TL_REAL == TL_FLOAT) && !(__ARM_FP & 8)
 #define TL_SOFT_NUMBERS 1
 #else
 #define TL_SOFT_NUMBERS 0

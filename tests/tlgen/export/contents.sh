@@ -9,7 +9,7 @@ shift 2
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cd "$work"
-strict=(-Wall -Wextra -Wconversion -Wno-sign-conversion -Wdouble-promotion -Wfloat-conversion -Wvla -Werror)
+strict=(-Wall -Wextra -Wconversion -Wno-sign-conversion -Wdouble-promotion -Wfloat-conversion -Wvla -Wpedantic -Wundef -Wcast-align -Wstrict-prototypes -Wmissing-prototypes -Werror)
 
 for real in double float; do
   "$tlgen" "$@" --export $real --real $real

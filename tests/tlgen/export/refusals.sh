@@ -24,6 +24,7 @@ refused '--export writes a folder of its own' "${cart[@]}" --export out -o out.c
 refused '--export writes a folder of its own' "${cart[@]}" --export out --lanes
 refused '--real belongs to --export' "${cart[@]}" --real float
 refused "'half' is no type" "${cart[@]}" --export out --real half
+refused 'the example program has this name too' "${cart[@]}" --export out --model example
 refused 'no motion functions' "${cart[@]}" --export out --need none
 [ ! -e out ] || fail "a refused export leaves a folder"
 touch file

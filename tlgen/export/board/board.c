@@ -98,6 +98,8 @@ int main(void) {
 }
 #endif
 
+void board_reset(void); /* board.ld enters here */
+
 void board_reset(void) {
 #ifdef __ARM_FP
   *(volatile uint32_t *)0xE000ED88 |= 0xF00000; /* the floating-point unit may be used */
@@ -110,5 +112,11 @@ void board_reset(void) {
 
 static void fault(void) { leave(100); }
 
-const void *const board_vectors[16] __attribute__((section(".vectors"), used)) = {
-    board_stack, (void *)board_reset, (void *)fault, (void *)fault, (void *)fault, (void *)fault, (void *)fault};
+typedef union {
+  uint32_t *stack;
+  void (*handler)(void);
+} board_vector;
+
+const board_vector board_vectors[16] __attribute__((section(".vectors"), used)) = {
+    {.stack = board_stack}, {.handler = board_reset}, {.handler = fault}, {.handler = fault},
+    {.handler = fault},     {.handler = fault},       {.handler = fault}};
