@@ -188,6 +188,18 @@ private:
   const std::string name_;
 };
 
+bool isSource(const std::string &file) { return file.size() > 2 && file.compare(file.size() - 2, 2, ".c") == 0; }
+
+// The rule of a function that no file defines; none where all are defined.
+const Rule *undefinedRule(const Program &program, const ExportFiles &carried) {
+  std::set<std::string> defined;
+  for (const auto &file : carried)
+    if (isSource(file.first)) defined.merge(namesDefinedIn(file.second));
+  for (const auto &rule : program.rules)
+    if (!defined.count(rule.second.taylor)) return &rule.second;
+  return nullptr;
+}
+
 // What main.c offers to a program that measures it.
 std::string exampleHeader(const std::vector<std::string> &needs) {
   std::string s =
@@ -197,7 +209,10 @@ std::string exampleHeader(const std::vector<std::string> &needs) {
   return s + "\n#endif\n";
 }
 
-std::string cmakeFor(const std::string &name) {
+std::string cmakeFor(const std::string &name, const ExportFiles &carried) {
+  std::string more;
+  for (const auto &file : carried)
+    if (isSource(file.first)) more += file.first + " ";
   return "# The model \"" + name +
          "\" with what it needs, as a library and as an example program; printed by tlgen.\n"
          "cmake_minimum_required(VERSION 3.22)\nproject(" +
@@ -205,8 +220,8 @@ std::string cmakeFor(const std::string &name) {
          "_export LANGUAGES C)\nif(NOT CMAKE_BUILD_TYPE)\n"
          "  set(CMAKE_BUILD_TYPE Release)\nendif()\nset(CMAKE_C_STANDARD 11)\nset(CMAKE_C_EXTENSIONS OFF)\n"
          "file(GLOB sources CONFIGURE_DEPENDS src/*.c)\nadd_library(" +
-         name + "_model STATIC " + name +
-         "_tl.c ${sources})\n"
+         name + "_model STATIC " + name + "_tl.c " + more +
+         "${sources})\n"
          "target_include_directories(" +
          name + "_model PUBLIC . include)\ntarget_link_libraries(" + name +
          "_model PUBLIC m)\nif(CMAKE_C_COMPILER_ID MATCHES \"GNU|Clang\")\n  target_compile_options(" + name +
@@ -247,13 +262,25 @@ Content exportContent(const Model &model, const MotionText &motion, const std::s
   return Content::Motion;
 }
 
+ExportFiles readCarried(const std::vector<std::string> &paths, std::string &why) {
+  ExportFiles files;
+  for (const std::string &path : paths) {
+    std::error_code none;
+    std::ifstream in(path);
+    if (!in || fs::is_directory(path, none)) return why = path + " cannot be read", ExportFiles{};
+    files.push_back({fs::path(path).filename().string(), readAll(path)});
+  }
+  return files;
+}
+
 ExportFiles exportFiles(const Program &program, const Model &model, const MotionText &motion, const EmittedModel &text, Content content,
-                        const std::string &real, std::string &why) {
+                        const std::string &real, const ExportFiles &carried, std::string &why) {
   if (!motion.any()) return why = "the model has no motion functions; --need and --size say which there are to be", ExportFiles{};
   if (content == Content::Model && text.sizes.empty())
     return why = "the memory of the model depends on its parameters; --size says what they are", ExportFiles{};
-  if (!program.rules.empty())
-    return why = "the function '" + program.rules.begin()->first + "' has no C here, which an export would need", ExportFiles{};
+  if (const Rule *rule = undefinedRule(program, carried))
+    return why = "the function '" + rule->function + "' has no C here; --carry names the file that defines its rule " + rule->taylor,
+           ExportFiles{};
   if (model.name == "example") return why = "the example program has this name too; --model gives the model another", ExportFiles{};
   const Example example(model, motion, text, content);
   const std::string source = model.name + "_tl.c", header = model.name + "_tl.h";
@@ -261,11 +288,19 @@ ExportFiles exportFiles(const Program &program, const Model &model, const Motion
                        {"example.h", exampleHeader(example.needs())},
                        {source, text.source},
                        {header, text.header},
-                       {"CMakeLists.txt", cmakeFor(model.name)}};
-  for (const LibraryFile &file : neededFiles({example.text(), text.source, text.header}))
+                       {"CMakeLists.txt", cmakeFor(model.name, carried)}};
+  std::vector<std::string> texts = {example.text(), text.source, text.header};
+  for (const auto &file : carried) texts.push_back(file.second);
+  for (const LibraryFile &file : neededFiles(texts))
     files.push_back({file.path, file.path == "include/taylor/config.h" ? configFor(file.text, real) : file.text});
   for (const LibraryFile &file : libraryFiles())
     if (file.path.compare(0, 8, "include/") && file.path.compare(0, 4, "src/")) files.push_back({file.path, file.text});
+  for (const auto &file : carried) {
+    const bool taken = file.first == manifestName ||
+                       std::any_of(files.begin(), files.end(), [&](const auto &other) { return other.first == file.first; });
+    if (taken) return why = "--carry: there is already a file of the name " + file.first, ExportFiles{};
+    files.push_back(file);
+  }
   std::string needs, list;
   for (const std::string &need : example.needs()) needs += " " + need;
   for (const auto &[path, content_of] : files) list += "  " + hashOf(content_of) + " " + path + "\n";

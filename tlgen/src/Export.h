@@ -11,9 +11,12 @@ Content exportContent(const Model &model, const MotionText &motion, const std::s
 
 using ExportFiles = std::vector<std::pair<std::string, std::string>>; // path inside of the folder, and text
 
-// All files. why: filled where the model cannot be exported; then there are none.
+// Files of the user's by the names that they have in the folder. why: filled where one cannot be read; then there are none.
+ExportFiles readCarried(const std::vector<std::string> &paths, std::string &why);
+
+// All files, with those that are carried along. why: filled where the model cannot be exported; then there are none.
 ExportFiles exportFiles(const Program &program, const Model &model, const MotionText &motion, const EmittedModel &text, Content content,
-                        const std::string &real, std::string &why);
+                        const std::string &real, const ExportFiles &carried, std::string &why);
 
 // True where the folder can take these files: it does not exist, or all that would be overwritten or removed there is what an earlier
 // export wrote. why: filled where not. stale: files of the earlier export that this one no longer has.

@@ -111,7 +111,9 @@ OutFiles makeModel(const Options &options, const Parsed &parsed, const std::stri
     diags.add(motionDiags);
     if (diags.hasErrors()) return {};
     std::string why;
-    const ExportFiles files = exportFiles(program, model, motion, text, content, options.exportReal, why);
+    const ExportFiles carried = readCarried(options.carried, why);
+    const ExportFiles files =
+        why.empty() ? exportFiles(program, model, motion, text, content, options.exportReal, carried, why) : ExportFiles{};
     return makeExport(options, files, why, folders);
   }
   OutFiles out = {{options.output, text.source}, {header, text.header}};

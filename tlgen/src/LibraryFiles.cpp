@@ -82,10 +82,10 @@ std::set<std::string> wordsOf(const std::string &code) {
 
 std::vector<std::string> includesOf(const std::string &lines) {
   std::vector<std::string> names;
-  const std::string directive = "#include \"";
+  const std::string directive = "#include ";
   for (size_t at = 0; (at = lines.find(directive, at)) != std::string::npos;) {
-    at += directive.size();
-    names.push_back(lines.substr(at, lines.find('"', at) - at));
+    at += directive.size() + 1;
+    names.push_back(lines.substr(at, lines.find_first_of("\">\n", at) - at));
   }
   return names;
 }
@@ -167,6 +167,8 @@ private:
 };
 
 } // namespace
+
+std::set<std::string> namesDefinedIn(const std::string &text) { return definitionsIn(linesOf(codeOf(text))); }
 
 std::vector<LibraryFile> neededFiles(const std::vector<std::string> &text) {
   Closure closure;

@@ -2,6 +2,7 @@
 #ifndef TLGEN_LIBRARYFILES_H
 #define TLGEN_LIBRARYFILES_H
 
+#include <set>
 #include <string>
 #include <vector>
 
@@ -18,6 +19,9 @@ const std::vector<LibraryFile> &libraryFiles();
 // The files that these sources need and no others: headers that they include, and C files with the functions that they call, and so on.
 // text: C; its own includes count too.
 std::vector<LibraryFile> neededFiles(const std::vector<std::string> &text);
+
+// Functions and objects that C defines for other files.
+std::set<std::string> namesDefinedIn(const std::string &text);
 
 } // namespace tlgen
 

@@ -56,6 +56,8 @@ Output
                          of libtaylor and the runtime that it needs and no others, an example program, and a MANIFEST. DIR must be new,
                          or hold nothing of that name but what an earlier export has written
   --real TYPE            the numbers of an export: double (default) or float
+  --carry FILE           a C file or header of yours that an export takes along, with what of libtaylor it needs: the one that defines
+                         the rule of a function of --rule; may be repeated
   -MD                    also write FILE.c.d, a make rule of all files that were read
   --selftest             also write MODEL_selftest.c beside FILE.c (and MODEL_selftest_2.c .. for further sources): a program that checks
                          every derivative of the model against differences of SOURCE.c in quad precision, at points that you name. A function of --rule
@@ -254,6 +256,7 @@ bool setOption(Options &o, Run *run, const std::string &name, const std::string 
   if (name == "-o") return setOnce(o.output, name, value);
   if (name == "--export") return setOnce(o.exportFolder, name, value);
   if (name == "--real") return setReal(o, value);
+  if (name == "--carry") return value.empty() ? usageError("--carry is empty") : (o.carried.push_back(value), true);
   if (name == "-p") return setOnce(o.compileCommands, name, value);
   if (name == "--arg") return addArg(o, value);
   if (name == "--need") return addNeeds(o, value);
@@ -296,6 +299,7 @@ bool complete(Options &o) {
     o.output = o.exportFolder + "/" + o.model + "_tl.c";
   }
   if (o.exportFolder.empty() && !o.exportReal.empty()) return usageError("--real belongs to --export");
+  if (o.exportFolder.empty() && !o.carried.empty()) return usageError("--carry belongs to --export");
   if (o.output.empty()) o.output = stem(o.sources[0]) + "_tl.c";
   if (o.output.size() < 3 || o.output.substr(o.output.size() - 2) != ".c") return usageError("-o: the file name must end in .c");
   if (o.motion.needs.count("parameters") && o.motion.parameters.empty() && !o.needsAll)

@@ -32,6 +32,7 @@ struct Options {
   std::vector<std::string> compilerArgs; // after --
   MotionOptions motion;
   std::string exportFolder, exportReal; // of --export
+  std::vector<std::string> carried;     // likewise: files of the user's
   bool needsGiven = false, needsAll = false;
   bool depfile = false, selftest = false, report = false;
 

@@ -36,15 +36,11 @@ rm bead/shallow.py
 python3 bead/footprint.py --no-misra >/dev/null
 within bead 65536 8192
 
-# Not a warning on a processor without a floating-point unit either, at any level of optimisation, of the board's own file too.
-for level in -O0 -Os -O3; do
-  for folder in cart bead; do
-    (cd $folder && for source in *.c src/*.c board/*.c; do
-      arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -std=c11 $level -Wall -Wextra -Wconversion -Wno-sign-conversion -Wdouble-promotion -Wpedantic \
-        -Wundef -Wcast-align -Wstrict-prototypes -Wmissing-prototypes -Werror -DNEED=example_step -DEXAMPLE_WITHOUT_MAIN -I. -Iinclude -c "$source" -o "$work/object"
-    done) || fail "$folder: a warning with $level"
-  done
-done
+# Not a warning on a processor without a floating-point unit either, of the board's own file too.
+(cd bead && for source in *.c src/*.c board/*.c; do
+  arm-none-eabi-gcc -mcpu=cortex-m3 -mthumb -std=c11 -Os -Wall -Wextra -Wconversion -Wno-sign-conversion -Wdouble-promotion -Wpedantic -Wundef \
+    -Wcast-align -Wstrict-prototypes -Wmissing-prototypes -Werror -DNEED=example_step -DEXAMPLE_WITHOUT_MAIN -I. -Iinclude -c "$source" -o "$work/object"
+done) || fail "a warning"
 
 # A mass matrix that is singular, and a function without a value: a status, and the board goes on.
 "$tlgen" "${cart[@]}" --export massless --real float
@@ -57,7 +53,10 @@ for broken in massless centre; do
 done
 
 # A square root is one instruction, without the C library's function, whose errno brings a kilobyte of memory.
-awk '$1 == "m4f" && $2 == "simulate" { n++; if ($4 > 256) { print; bad = 1 } } END { exit bad || n != 1 }' centre/MANIFEST || fail "a square root costs memory"
+printf '#include <math.h>\ndouble L(const double *q, const double *qd) { return 0.5 * qd[0] * qd[0] - sqrt(1.0 + q[0] * q[0]); }\n' >root.c
+"$tlgen" root.c --lagrangian L --dof 1 --export root --real float
+python3 root/footprint.py --no-misra --boards m4f >/dev/null
+awk '$1 == "m4f" && $2 == "simulate" { n++; if ($4 > 256) { print; bad = 1 } } END { exit bad || n != 1 }' root/MANIFEST || fail "a square root costs memory"
 
 # What must not be there is noticed.
 "$tlgen" "${cart[@]}" --export canary --real float
