@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
-# What the firmware does on a host.
+# What the firmware does on a host, and from several starts.
 #   firmware_host.sh SOURCE-FOLDER FOLDER WHAT [POLES]      FOLDER: as firmware_build.sh has left it. WHAT:
 #     starts POLES       from several starts, with a machine that is not quite the expected one, the poles come to stand
+#     board POLES        from some of them on an emulated Cortex-M4F, too, and to the bit as on the host
 #     plan               the motion in flash is the optimum that plan.c computes beside it, and plan.c finds a motion from nothing, too
 #     plot               plot.gp draws its CSV
 set -euo pipefail
@@ -14,13 +15,31 @@ fail() { echo "$*"; exit 1; }
 flags=(-std=c11 -O2 -fno-math-errno -ffp-contract=off -DTL_SOFT_NUMBERS=0 -Wall -Wextra -Werror -I"$source")
 
 case $what in
-  starts)
+  starts | board)
     export=$built/$([ "$poles" = 1 ] && echo cart_pole || echo double_cart_pole)-float
     swing=("$source/swing_1.c")
     [ "$poles" = 1 ] || swing=("$source/swing_2.c" "$source/reference.c" "$source/reference_table.c")
-    cc "${flags[@]}" -fsanitize=undefined -fno-sanitize-recover=all -DPLANT_POLES="$poles" -I"$export" -I"$export/include" "$root/tests/embedded/starts.c" \
-      "$source/"{loop,controller,riccati,plant}.c "${swing[@]}" "$export/"*_tl.c "$export/src/"*.c -lm -o "$work/starts"
-    "$work/starts" || fail "the poles have not come up"
+    build() { # COMPILER CONSOLE ARGUMENT..
+      local compiler=$1 console=$2
+      shift 2
+      "$compiler" "${flags[@]}" "$@" -DPLANT_POLES="$poles" -I"$export" -I"$export/include" "$root/tests/embedded/starts.c" \
+        "$source/"{loop,controller,riccati,plant,text,"$console"}.c "${swing[@]}" "$export/"*_tl.c "$export/src/"*.c -lm -o "$work/starts"
+    }
+    if [ "$what" = starts ]; then
+      build cc console_host -fsanitize=undefined -fno-sanitize-recover=all
+      "$work/starts" || fail "the poles have not come up"
+      exit
+    fi
+    for tool in arm-none-eabi-gcc qemu-system-arm; do command -v $tool >/dev/null || { echo "no $tool here"; exit 77; }; done
+    build cc console_host -DSTARTS_SOME -DNDEBUG
+    "$work/starts" >"$work/host"
+    build arm-none-eabi-gcc console_board -DSTARTS_SOME -DNDEBUG -mcpu=cortex-m4 -mthumb -mfloat-abi=hard -mfpu=fpv4-sp-d16 -nostartfiles \
+      -T "$export/board/board.ld" -ffunction-sections -fdata-sections -Wl,--gc-sections
+    qemu-system-arm -machine mps2-an386 -nographic -monitor none -serial none -semihosting-config enable=on,target=native -kernel "$work/starts" \
+      >"$work/board" 2>&1 || { cat "$work/board"; fail "the poles have not come up on the board"; }
+    cat "$work/board"
+    [ "$(wc -l <"$work/board")" = 3 ] || fail "not every start was run"
+    cmp "$work/board" "$work/host"
     ;;
   plan)
     python3 "$root/tests/embedded/firmware.py" table "$source/reference_table.c" <("$built/plan")
