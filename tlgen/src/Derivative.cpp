@@ -16,11 +16,11 @@ Node *oneMinusSquare(Graph &g, Node *x) {
   Node *sum = onePlus(g, x), *difference = oneMinus(g, x);
   return g.mul(difference, sum);
 }
-Node *squareMinusOne(Graph &g, Node *x) {
-  Node *sum = onePlus(g, x), *difference = g.sub(x, g.number(1));
+Node *root(Graph &g, Node *x) { return g.math("sqrt", {x}); }
+Node *rootOfSquareMinusOne(Graph &g, Node *x) { // for x > 1 alone
+  Node *sum = root(g, onePlus(g, x)), *difference = root(g, g.sub(x, g.number(1)));
   return g.mul(difference, sum);
 }
-Node *root(Graph &g, Node *x) { return g.math("sqrt", {x}); }
 Node *beyondOne(Graph &g, Node *x) {
   Node *one = g.number(1);
   return g.compare(">=", g.math("fabs", {x}), one);
@@ -55,19 +55,19 @@ const std::map<std::string, Function> &ofOne() {
       {"tanh", {[](Graph &g, Node *x, Node *) { return square(g, g.recip(g.math("cosh", {x}))); }, nullptr}},
       {"asinh", {[](Graph &g, Node *x, Node *) { return g.recip(root(g, onePlus(g, square(g, x)))); }, nullptr}},
       {"acosh",
-       {[](Graph &g, Node *x, Node *) { return g.recip(root(g, squareMinusOne(g, x))); },
+       {[](Graph &g, Node *x, Node *) { return g.recip(rootOfSquareMinusOne(g, x)); },
         [](Graph &g, Node *x, Node *) { return g.compare("<=", x, g.number(1)); }}},
       {"atanh",
-       {[](Graph &g, Node *x, Node *) { return g.recip(oneMinusSquare(g, x)); },
+       {[](Graph &g, Node *x, Node *) { return g.recip(oneMinusSquare(g, x), "atanh"); },
         [](Graph &g, Node *x, Node *) { return beyondOne(g, x); }}},
       {"exp", {[](Graph &, Node *, Node *y) { return y; }, nullptr}},
       {"exp2", {[](Graph &g, Node *, Node *y) { return g.scale(LN2, y); }, nullptr}},
       {"expm1", {[](Graph &g, Node *x, Node *) { return g.math("exp", {x}); }, nullptr}},
-      {"log", {[](Graph &g, Node *x, Node *) { return g.recip(x); }, positive}},
-      {"log2", {[](Graph &g, Node *x, Node *) { return g.scale(1 / LN2, g.recip(x)); }, positive}},
-      {"log10", {[](Graph &g, Node *x, Node *) { return g.scale(1 / LN10, g.recip(x)); }, positive}},
+      {"log", {[](Graph &g, Node *x, Node *) { return g.recip(x, "log"); }, positive}},
+      {"log2", {[](Graph &g, Node *x, Node *) { return g.scale(1 / LN2, g.recip(x, "log2")); }, positive}},
+      {"log10", {[](Graph &g, Node *x, Node *) { return g.scale(1 / LN10, g.recip(x, "log10")); }, positive}},
       {"log1p",
-       {[](Graph &g, Node *x, Node *) { return g.recip(onePlus(g, x)); },
+       {[](Graph &g, Node *x, Node *) { return g.recip(onePlus(g, x), "log1p"); },
         [](Graph &g, Node *x, Node *) { return g.compare("<=", x, g.number(-1)); }}},
       {"sqrt", {[](Graph &g, Node *, Node *y) { return g.scale(0.5, g.recip(y)); }, positive}},
       {"cbrt",
@@ -75,9 +75,7 @@ const std::map<std::string, Function> &ofOne() {
         [](Graph &g, Node *x, Node *) { return isZero(g, x); }}},
       {"erf", {[bell](Graph &g, Node *x, Node *) { return bell(g, x); }, nullptr}},
       {"erfc", {[bell](Graph &g, Node *x, Node *) { return g.neg(bell(g, x)); }, nullptr}},
-      {"fabs",
-       {[](Graph &g, Node *x, Node *) { return g.math("copysign", {g.number(1), x}); },
-        [](Graph &g, Node *x, Node *) { return isZero(g, x); }}},
+      {"fabs", {[](Graph &g, Node *x, Node *) { return g.sign(x, "fabs"); }, [](Graph &g, Node *x, Node *) { return isZero(g, x); }}},
       {"floor", {zero, nullptr}},
       {"ceil", {zero, nullptr}},
       {"trunc", {zero, nullptr}},
@@ -105,6 +103,11 @@ Node *ofPower(Graph &g, Node *y, size_t argument) {
   return sum;
 }
 
+Node *copysignSlope(Graph &g, Node *a, Node *b) {
+  Node *signOfB = g.sign(b, "copysign"), *signOfA = g.sign(a, "copysign");
+  return g.mul(signOfA, signOfB);
+}
+
 // Functions of two and more numbers.
 Node *ofMany(Graph &g, Node *y, size_t argument) {
   const std::string &f = y->text;
@@ -116,19 +119,12 @@ Node *ofMany(Graph &g, Node *y, size_t argument) {
     return argument == 0 ? g.mul(b, r) : g.neg(g.mul(a, r));
   }
   if (f == "fma") return argument == 2 ? one : y->args[1 - argument];
-  if (f == "fmin" || f == "fmax") {
-    Node *first = f == "fmin" ? g.compare("<", a, b) : g.compare("<", b, a);
-    return argument == 0 ? g.select(first, one, zero) : g.select(first, zero, one);
+  if (f == "fmin" || f == "fmax" || f == "fdim") { // one half and one half of a sign
+    const bool rising = f == "fdim" || (f == "fmin") == (argument == 1);
+    Node *half = g.scale(rising ? 0.5 : -0.5, g.sign(g.sub(a, b), f)), *slope = g.add(g.number(0.5), half);
+    return f == "fdim" && argument == 1 ? g.neg(slope) : slope;
   }
-  if (f == "fdim") {
-    Node *slope = g.number(argument == 0 ? 1 : -1);
-    return g.select(g.compare("<", b, a), slope, zero);
-  }
-  if (f == "copysign") {
-    if (argument == 1) return zero;
-    Node *signOfB = g.math("copysign", {one, b}), *signOfA = g.math("copysign", {one, a});
-    return g.mul(signOfA, signOfB);
-  }
+  if (f == "copysign") return argument == 1 ? zero : copysignSlope(g, a, b);
   if (f == "fmod" || f == "remainder") return argument == 0 ? one : g.neg(g.math("rint", {g.div(g.sub(a, y), b)}));
   if (f == "ldexp" || f == "scalbn" || f == "scalbln") return argument == 1 ? nullptr : g.math(f, {one, b});
   return nullptr;
@@ -153,7 +149,7 @@ Node *derivative(Graph &graph, Node *math, size_t argument) {
 
 Node *outsideDomain(Graph &graph, Node *math) {
   Node *x = math->args.empty() ? nullptr : math->args[0];
-  if (math->op == Node::Recip) return isZero(graph, x);
+  if (math->op == Node::Recip) return math->text.empty() ? isZero(graph, x) : notPositive(graph, x);
   if (math->op != Node::Math) return nullptr;
   const std::string &f = math->text;
   if (math->args.size() == 1) {
@@ -164,7 +160,7 @@ Node *outsideDomain(Graph &graph, Node *math) {
   if (f == "pow" || f == "tl_power") return outsideOfPower(graph, math);
   if (f == "hypot") return isZero(graph, math);
   if (f == "fmin" || f == "fmax" || f == "fdim") return graph.compare("==", x, y);
-  if (f == "copysign" && x->isNumber()) return nullptr;
+  if (f == "copysign" && x->isNumber()) return math->which ? isZero(graph, y) : nullptr;
   if (f == "atan2" || f == "copysign") {
     Node *second = isZero(graph, y), *first = isZero(graph, x);
     return f == "atan2" ? graph.logicalAnd(first, second) : graph.logicalOr(first, second);

@@ -258,12 +258,13 @@ void Graph::factorsOf(Node *n, std::vector<Node *> &to) {
   }
 }
 
-Node *Graph::recip(Node *a) {
+Node *Graph::recip(Node *a, const std::string &of) {
   if (a->isNumber() && a->value != 0) return number(1 / a->value);
-  if (a->op == Node::Recip) return a->args[0];
+  if (a->op == Node::Recip && of.empty()) return a->args[0];
   Scaled x = scaled(a);
-  if (x.rest && x.factor != 1) return scale(1 / x.factor, recip(x.rest));
+  if (x.rest && x.factor != 1 && (x.factor > 0 || of.empty())) return scale(1 / x.factor, recip(x.rest, of));
   Node n(Node::Recip);
+  n.text = of;
   n.args = {a};
   return make(std::move(n));
 }
@@ -310,6 +311,25 @@ Node *Graph::math(const std::string &function, std::vector<Node *> args) {
   Node n(Node::Math);
   n.text = function;
   n.args = std::move(args);
+  return make(std::move(n));
+}
+
+// Functions with signs in their derivatives.
+static const char *const kinked[] = {"", "copysign", "fabs", "fdim", "fmax", "fmin"};
+
+std::string sourceFunction(const Node *n) {
+  if (n->op == Node::Recip) return n->text.empty() ? "div" : n->text;
+  return n->op == Node::Math && n->which ? kinked[n->which] : n->text;
+}
+
+Node *Graph::sign(Node *a, const std::string &of) {
+  if (a->isNumber() && a->value != 0) return number(a->value < 0 ? -1 : 1);
+  Scaled x = scaled(a);
+  if (x.rest && x.factor != 1) return scale(x.factor < 0 ? -1 : 1, sign(x.rest, of));
+  Node n(Node::Math);
+  n.text = "copysign";
+  n.which = int(std::find(std::begin(kinked), std::end(kinked), of) - std::begin(kinked));
+  n.args = {number(1), a};
   return make(std::move(n));
 }
 
@@ -471,9 +491,9 @@ Node *Graph::rebuild(Node *n, std::vector<Node *> args) {
   case Node::Mul:
     return mul(args[0], args[1]);
   case Node::Recip:
-    return recip(args[0]);
+    return recip(args[0], n->text);
   case Node::Math:
-    return math(n->text, std::move(args));
+    return n->which ? sign(args[1], kinked[n->which]) : math(n->text, std::move(args));
   case Node::Taylor:
     return taylor(n->text, n->which, std::move(args));
   case Node::Convert:

@@ -51,8 +51,8 @@ struct Node {
     Read,        // element args[0] of array
     Add,         // args[0] + args[1]
     Mul,         // args[0] * args[1]; a Number comes first
-    Recip,       // 1 / args[0]
-    Math,        // text(args), a function of math.h or of taylor/power.h
+    Recip,       // 1 / args[0]; text: see recip
+    Math,        // text(args), a function of math.h or of taylor/power.h; which: see sign
     Taylor,      // derivative number which, from 0, of the external function text at args
     Convert,     // (text)args[0]: an integer type
     Integer,     // args[0] text args[1]: / and % of integers that are not Affine
@@ -129,6 +129,9 @@ struct Array {
 // True for values of integer type, truth values included.
 bool isInteger(const Node *n);
 
+// The function that the source has in the place of this one: what a Recip or a sign is the derivative of, "div" of a plain Recip.
+std::string sourceFunction(const Node *n);
+
 // True for what the generated code computes on reals: sums, products, reciprocals and functions.
 bool isOperation(const Node *n);
 
@@ -153,9 +156,11 @@ public:
   Node *neg(Node *a) { return mul(number(-1), a); }
   Node *mul(Node *a, Node *b);
   Node *scale(double k, Node *a) { return mul(number(k), a); }
-  Node *recip(Node *a);
+  // of: the function that has this as its derivative and no value but where a is positive; empty where any a but 0 will do.
+  Node *recip(Node *a, const std::string &of = "");
   Node *div(Node *a, Node *b) { return mul(a, recip(b)); }
   Node *math(const std::string &function, std::vector<Node *> args);
+  Node *sign(Node *a, const std::string &of);  // copysign(1, a), in a derivative of that function: it has no value at 0
   Node *power(Node *x, Node *exponent, int k); // the k-th derivative of pow in x
   Node *taylor(const std::string &function, int order, std::vector<Node *> args);
   Node *convert(const std::string &type, Node *a);          // "tl_real" makes a number of an integer

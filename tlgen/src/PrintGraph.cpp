@@ -32,7 +32,7 @@ bool isPlain(const Node *n) {
 } // namespace
 
 size_t Sites::number(const Node *node) {
-  std::string function = node->op == Node::Recip ? "div" : node->op == Node::Taylor ? "compose" : node->text;
+  std::string function = node->op == Node::Taylor ? "compose" : sourceFunction(node);
   if (function == "tl_power") function = "pow";
   for (size_t i = 0; i < sites_.size(); ++i)
     if (sites_[i].function == function && sites_[i].loc.file == node->loc.file && sites_[i].loc.line == node->loc.line) return i + 1;

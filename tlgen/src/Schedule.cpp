@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <functional>
+#include <map>
+#include <tuple>
 
 namespace tlgen {
 
@@ -227,6 +229,7 @@ void Schedule::makeChecks() {
   std::sort(nodes.begin(), nodes.end(), ById());
   std::set<const Node *> values = computing();
   std::unordered_map<const Node *, bool> passive;
+  std::map<std::tuple<const Guard *, Node *, std::string, int, unsigned>, size_t> known;
   for (Node *n : nodes) {
     if ((n->op != Node::Math && n->op != Node::Recip) || !values.count(n) || isPassive(n, passive)) continue;
     if (n->judged) continue;
@@ -234,8 +237,10 @@ void Schedule::makeChecks() {
     graph_.loc = n->loc;
     Node *outside = outsideDomain(graph_, n);
     if (!outside || (outside->isConstant() && !outside->offset)) continue;
-    checksOf_[n].push_back(checks_.size());
-    checks_.push_back({n->guard, outside, n});
+    // A value and its derivative fail alike, and are one place of the source.
+    auto same = known.emplace(std::make_tuple(n->guard, outside, sourceFunction(n), n->loc.file, n->loc.line), checks_.size());
+    checksOf_[n].push_back(same.first->second);
+    if (same.second) checks_.push_back({n->guard, outside, n});
   }
 }
 
