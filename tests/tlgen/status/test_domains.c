@@ -3,7 +3,7 @@
 #include "domains_tl.h"
 #include "eom/eom.h"
 
-#include <math.h>
+#include <string.h>
 
 enum { N = 19 };
 static const double inside[N] = {1, 1, 1, 1, 0.5, 2, 0.5, 0.5, 1, 1, 1, 1, -1, 1, 1, 1, 1, 1, 1};
