@@ -70,8 +70,7 @@ private:
   // include, but not that of an export, which has all it needs.
   bool inHeader(const Record *r) const {
     if (content_ != Content::Whole) return true;
-    const std::string &file = program_.files[static_cast<size_t>(r->loc.file)];
-    return file.size() > 2 && file.compare(file.size() - 2, 2, ".c") == 0;
+    return isSource(program_.files[static_cast<size_t>(r->loc.file)]);
   }
 
   // The header's own structs and those that they consist of.

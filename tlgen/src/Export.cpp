@@ -1,6 +1,7 @@
 // Makes an export: the files, and the manifest that knows them again.
 #include "Export.h"
 #include "LibraryFiles.h"
+#include "Names.h"
 #include "PrintC.h"
 
 #include <algorithm>
@@ -187,8 +188,6 @@ private:
   const bool motionAlone_;
   const std::string name_;
 };
-
-bool isSource(const std::string &file) { return file.size() > 2 && file.compare(file.size() - 2, 2, ".c") == 0; }
 
 // The rule of a function that no file defines; none where all are defined.
 const Rule *undefinedRule(const Program &program, const ExportFiles &carried) {

@@ -68,4 +68,6 @@ void separateNames(Program &program, const std::string &model) {
 
 bool reservedFunctionName(const std::string &name, const std::string &model) { return reservedOutside(name, model); }
 
+bool isSource(const std::string &file) { return file.size() > 2 && file.compare(file.size() - 2, 2, ".c") == 0; }
+
 } // namespace tlgen

@@ -12,6 +12,9 @@ void separateNames(Program &program, const std::string &model);
 // True where a function of the output may not have that name: the printed description, libtaylor or the C library has it.
 bool reservedFunctionName(const std::string &name, const std::string &model);
 
+// True for the name of a C file, "model.c".
+bool isSource(const std::string &file);
+
 } // namespace tlgen
 
 #endif

@@ -2,6 +2,7 @@
 #include "Options.h"
 #include "Diagnostics.h"
 #include "ModelsFile.h"
+#include "Names.h"
 
 #include <algorithm>
 #include <cstdlib>
@@ -301,7 +302,7 @@ bool complete(Options &o) {
   if (o.exportFolder.empty() && !o.exportReal.empty()) return usageError("--real belongs to --export");
   if (o.exportFolder.empty() && !o.carried.empty()) return usageError("--carry belongs to --export");
   if (o.output.empty()) o.output = stem(o.sources[0]) + "_tl.c";
-  if (o.output.size() < 3 || o.output.substr(o.output.size() - 2) != ".c") return usageError("-o: the file name must end in .c");
+  if (!isSource(o.output)) return usageError("-o: the file name must end in .c");
   if (o.motion.needs.count("parameters") && o.motion.parameters.empty() && !o.needsAll)
     return usageError("--need parameters wants --parameter with the members to differentiate by");
   if (!o.needsGiven) o.motion.needs = {"energy", "simulate", "linearise"};
